@@ -1,0 +1,1 @@
+# Messages, services and actions of this package.

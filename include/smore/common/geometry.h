@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+namespace smore {
+
+using Vec3 = Eigen::Vector3d;
+
+/// A rigid transform. Named T_a_b where frames matter: it maps coordinates in b to coordinates in a
+/// and is the pose of frame b in frame a. Lengths in metres.
+using Pose = Eigen::Isometry3d;
+
+/// Poses of the object frame in the world, in the order in which they are visited.
+using Path = std::vector<Pose>;
+
+/// Force [N] and torque [N m] about the origin of the frame whose axes they are given in.
+struct Wrench {
+  Vec3 force = Vec3::Zero();
+  Vec3 torque = Vec3::Zero();
+};
+
+/// Axis-aligned box [m]; a point on its faces is inside.
+struct Bounds {
+  Vec3 min = Vec3::Zero();
+  Vec3 max = Vec3::Zero();
+
+  bool contains(const Vec3& point) const;
+};
+
+/// The pose at `position` [m] turned by roll, pitch and yaw [rad] about the fixed axes x, y and z in
+/// this order (the URDF convention).
+Pose makePose(const Vec3& position, const Vec3& rpy = Vec3::Zero());
+
+/// Angle of the rotation between two poses [rad], in [0, pi].
+double angleBetween(const Pose& a, const Pose& b);
+
+/// Distance of the origins [m].
+double distanceBetween(const Pose& a, const Pose& b);
+
+/// The pose at `fraction` in [0, 1] of the way from a to b: the position moves on a straight line,
+/// the rotation about one fixed axis, both at constant rate.
+Pose interpolate(const Pose& a, const Pose& b, double fraction);
+
+/// Points on the segments of `path` such that neighbours are at most `max_distance` [m] and
+/// `max_angle` [rad] apart (both positive); every pose of `path` is kept. Empty in, empty out.
+Path densify(const Path& path, double max_distance, double max_angle);
+
+/// Sum over the segments of the distance of the origins [m].
+double pathLength(const Path& path);
+
+/// The same wrench with its torque taken about the origin of frame a and in its axes, from a wrench
+/// at the origin and in the axes of frame b.
+Wrench transformWrench(const Pose& T_a_b, const Wrench& wrench_b);
+
+bool isFinite(const Wrench& wrench);
+bool isFinite(const Pose& pose);
+
+}  // namespace smore

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "smore/contact/contact_observation.h"
+#include "smore/mapping/voxel_grid.h"
+
+namespace smore {
+
+/// Two occupancy maps of one voxel size, learnt together from touch: one fixed in the world frame, one
+/// that moves with the object frame. Implementations differ in how they infer occupancy; each keeps
+/// both maps consistent with one another after every call.
+class TwinMap : public ContactObserver {
+ public:
+  /// Occupancy probabilities in the world frame. A voxel that is not stored is unknown.
+  virtual const VoxelGrid& world() const = 0;
+
+  /// Occupancy probabilities in the object frame.
+  virtual const VoxelGrid& object() const = 0;
+
+  /// Rises whenever a map changes.
+  virtual std::uint64_t revision() const = 0;
+
+  /// Forgets everything.
+  virtual void reset() = 0;
+};
+
+}  // namespace smore

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "smore/common/geometry.h"
+#include "smore/common/result.h"
+#include "smore/scenario/motion_space.h"
+
+namespace smore {
+
+enum class PlannerAlgorithm { kRrt, kRrtConnect };
+
+struct PathPlannerParameters {
+  PlannerAlgorithm algorithm = PlannerAlgorithm::kRrt;
+  double step = 0.03;             ///< longest edge of the tree [m + rad], positive; the paper's voxel size
+  double goal_bias = 0.05;        ///< share of samples that are the goal, in [0, 1] (RRT only)
+  int max_iterations = 20000;     ///< samples before giving up, at least 1
+  double time_limit_s = 60.0;     ///< wall time before giving up [s], positive
+};
+
+/// One pose is valid or not. Called often; must be safe to call again with the same pose.
+using StateValidity = std::function<bool(const Pose& T_world_object)>;
+
+/// How finely motions are checked: neighbouring checks are at most this far apart.
+struct CheckResolution {
+  double distance = 0.003;  ///< [m], positive
+  double angle = 0.01;      ///< [rad], positive
+};
+
+/// Sampling planners of OMPL in SE(2) or SE(3), exact solutions only.
+class PathPlanner {
+ public:
+  /// `space` gives the states and their bounds; `seed` makes runs repeatable.
+  PathPlanner(const MotionSpace& space, const PathPlannerParameters& parameters, std::uint32_t seed);
+
+  /// A path from start to goal through valid poses, or the reason: start or goal invalid or out of
+  /// bounds, iterations or time used up. The path ends exactly at `goal`.
+  Result<Path> plan(const Pose& start, const Pose& goal, const StateValidity& valid,
+                    const CheckResolution& resolution);
+
+ private:
+  MotionSpace space_;
+  PathPlannerParameters parameters_;
+  std::uint32_t seed_;
+};
+
+}  // namespace smore

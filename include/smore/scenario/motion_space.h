@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "smore/common/geometry.h"
+
+namespace smore {
+
+enum class Motion {
+  kPlanar,   ///< SE(2): x, y and yaw in the plane of the start pose
+  kSpatial,  ///< SE(3)
+};
+
+/// Where the object frame may be.
+struct MotionSpace {
+  Motion motion = Motion::kPlanar;
+  Pose T_world_plane = Pose::Identity();  ///< planar: the start pose; motion is in its x-y plane
+  Bounds workspace;                       ///< of the object frame's origin, in the world [m]
+
+  /// Whether the origin is in the workspace and, for planar motion, the pose lies in the plane (to
+  /// 1e-6 m and rad).
+  bool contains(const Pose& T_world_object) const;
+};
+
+}  // namespace smore

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "smore/common/geometry.h"
+
+namespace smore {
+
+struct BoxShape {
+  Vec3 size = Vec3::Ones();  ///< full edge lengths [m], positive
+};
+
+/// Its axis is z, its centre the origin.
+struct CylinderShape {
+  double radius = 1.0;  ///< [m], positive
+  double length = 1.0;  ///< [m], positive
+};
+
+struct SphereShape {
+  double radius = 1.0;  ///< [m], positive
+};
+
+/// A closed triangle mesh, already scaled [m].
+struct MeshShape {
+  std::string file;
+  std::vector<Vec3> vertices;
+  std::vector<Eigen::Vector3i> triangles;  ///< indices into vertices, counter-clockwise from outside
+};
+
+/// One solid of the object or the environment.
+struct Shape {
+  std::variant<BoxShape, CylinderShape, SphereShape, MeshShape> geometry;
+  Pose pose = Pose::Identity();  ///< of the solid in its parent frame (object or world)
+};
+
+/// Signed distance of a point [m], in the shapes' parent frame, to the union of the solids: negative
+/// inside, 0 on the surface. Inside of overlapping solids the magnitude is a lower bound of the depth.
+/// Infinity for an empty list.
+double signedDistance(const std::vector<Shape>& shapes, const Vec3& point);
+
+/// Smallest axis-aligned box around the shapes, in their parent frame.
+Bounds boundsOf(const std::vector<Shape>& shapes);
+
+}  // namespace smore
