@@ -12,10 +12,10 @@ bool Bounds::contains(const Vec3& point) const {
 
 Pose makePose(const Vec3& position, const Vec3& rpy) {
   Pose pose = Pose::Identity();
-  pose.linear() = (Eigen::AngleAxisd(rpy.z(), Vec3::UnitZ()) *
-                   Eigen::AngleAxisd(rpy.y(), Vec3::UnitY()) *
-                   Eigen::AngleAxisd(rpy.x(), Vec3::UnitX()))
-                      .toRotationMatrix();
+  pose.linear() =
+      (Eigen::AngleAxisd(rpy.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Vec3::UnitY()) *
+       Eigen::AngleAxisd(rpy.x(), Vec3::UnitX()))
+          .toRotationMatrix();
   pose.translation() = position;
   return pose;
 }

@@ -17,7 +17,9 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
 }
 
 std::string show(const YAML::Node& node) {
-  return node.IsScalar() ? "'" + node.Scalar() + "'" : node.IsNull() ? "nothing" : "a list or mapping";
+  return node.IsScalar() ? "'" + node.Scalar() + "'"
+         : node.IsNull() ? "nothing"
+                         : "a list or mapping";
 }
 
 std::string describe(const Range& range) {

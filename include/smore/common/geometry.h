@@ -29,8 +29,8 @@ struct Bounds {
   bool contains(const Vec3& point) const;
 };
 
-/// The pose at `position` [m] turned by roll, pitch and yaw [rad] about the fixed axes x, y and z in
-/// this order (the URDF convention).
+/// The pose at `position` [m] turned by roll, pitch and yaw [rad] about the fixed axes x, y and z
+/// in this order (the URDF convention).
 Pose makePose(const Vec3& position, const Vec3& rpy = Vec3::Zero());
 
 /// Angle of the rotation between two poses [rad], in [0, pi].

@@ -19,12 +19,12 @@ struct Range {
   double max = std::numeric_limits<double>::max();
 };
 
-/// Reads typed values from a YAML mapping and keeps a list of everything that is wrong, so that a user
-/// sees all errors at once. Each reader call marks its key as known; `finish` reports every key that
-/// nobody asked for and throws if there was any error.
+/// Reads typed values from a YAML mapping and keeps a list of everything that is wrong, so that a
+/// user sees all errors at once. Each reader call marks its key as known; `finish` reports every
+/// key that nobody asked for and throws if there was any error.
 ///
-/// Values are finite; numbers outside their range, values of a wrong type, unknown and missing keys are
-/// errors that name file, key, value and remedy. After an error the target keeps its value.
+/// Values are finite; numbers outside their range, values of a wrong type, unknown and missing keys
+/// are errors that name file, key, value and remedy. After an error the target keeps its value.
 class ParameterReader {
  public:
   /// `source` names the file or the node in messages. A node that is not a mapping is an error.
@@ -41,8 +41,8 @@ class ParameterReader {
 
   bool has(const std::string& key) const;
 
-  /// Reader of a nested mapping (an empty one if the key is missing, after noting the error). It shares
-  /// this reader's list of errors; its unknown keys are reported by its own `finishNested`.
+  /// Reader of a nested mapping (an empty one if the key is missing, after noting the error). It
+  /// shares this reader's list of errors; its unknown keys are reported by its own `finishNested`.
   ParameterReader nested(const std::string& key);
   /// Readers of a list of mappings; a missing key or anything but a non-empty list is an error.
   std::vector<ParameterReader> list(const std::string& key);

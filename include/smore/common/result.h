@@ -8,8 +8,8 @@
 
 namespace smore {
 
-/// Bad input from a user: a file, a key, an argument. The message names the place, the value and the
-/// remedy, and is all that the user needs to see.
+/// Bad input from a user: a file, a key, an argument. The message names the place, the value and
+/// the remedy, and is all that the user needs to see.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -20,8 +20,8 @@ struct Failure {
   std::string reason;
 };
 
-/// A value, or the reason why there is none. For outcomes that belong to normal operation (no line in
-/// this wrench, no path to this goal); errors of a caller throw.
+/// A value, or the reason why there is none. For outcomes that belong to normal operation (no line
+/// in this wrench, no path to this goal); errors of a caller throw.
 template <typename T>
 class Result {
  public:

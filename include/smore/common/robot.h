@@ -18,12 +18,13 @@ enum class MotionEnd {
 
 struct MotionResult {
   MotionEnd end = MotionEnd::kReached;
-  std::string reason;     ///< in words for the user; empty for kReached and kContact
-  double length = 0.0;    ///< executed length of the object frame's origin [m]
+  std::string reason;   ///< in words for the user; empty for kReached and kContact
+  double length = 0.0;  ///< executed length of the object frame's origin [m]
 };
 
-/// A robot that carries the object, as the retrieval loop knows it: simulated in this process, behind
-/// ROS topics, or real. Contact stops it by its own reflex, not by a round trip through the loop.
+/// A robot that carries the object, as the retrieval loop knows it: simulated in this process,
+/// behind ROS topics, or real. Contact stops it by its own reflex, not by a round trip through the
+/// loop.
 class Robot {
  public:
   virtual ~Robot() = default;
@@ -31,16 +32,17 @@ class Robot {
   /// T_world_object now.
   virtual Pose pose() const = 0;
 
-  /// Follows `path` (T_world_object, its first pose is near the present one) at the configured speed;
-  /// returns when it ended. Each observation made on the way has reached the maps when it returns.
+  /// Follows `path` (T_world_object, its first pose is near the present one) at the configured
+  /// speed; returns when it ended. Each observation made on the way has reached the maps when it
+  /// returns.
   virtual MotionResult follow(const Path& path) = 0;
 
-  /// Moves back along the way it came, at least `distance` [m + rad] if there is so much of it. Touching
-  /// on the way does not stop it: it moves where it has been.
+  /// Moves back along the way it came, at least `distance` [m + rad] if there is so much of it.
+  /// Touching on the way does not stop it: it moves where it has been.
   virtual MotionResult retreat(double distance) = 0;
 
-  /// Brings the object to `start` without touching (the simulator sets it there; a real arm retreats
-  /// along its whole way).
+  /// Brings the object to `start` without touching (the simulator sets it there; a real arm
+  /// retreats along its whole way).
   virtual MotionResult reset(const Pose& start) = 0;
 };
 

@@ -13,8 +13,8 @@ enum class ContactState {
   kContact,  ///< confirmed contact
 };
 
-/// One sample of the wrist: its wrench without bias and weight, at the origin and in the axes of the
-/// object frame, and the pose at the same instant.
+/// One sample of the wrist: its wrench without bias and weight, at the origin and in the axes of
+/// the object frame, and the pose at the same instant.
 struct WrenchSample {
   double time = 0.0;  ///< [s]
   Wrench wrench;      ///< exerted by the environment on the object

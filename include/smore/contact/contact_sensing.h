@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+
+#include "smore/common/parameters.h"
+#include "smore/common/result.h"
+#include "smore/contact/contact_detector.h"
+#include "smore/contact/contact_observation.h"
+#include "smore/contact/wrench_compensator.h"
+
+namespace smore {
+
+/// How the line of action of a contact is measured.
+struct LineParameters {
+  double settle = 0.03;        ///< from the confirmed contact to the start of the average [s]
+  double window = 0.02;        ///< averaged [s]; the robot stands still in contact meanwhile
+  double min_force = 1.0;      ///< a mean force below gives no line [N]
+  double force_stddev = 0.0;   ///< of one sample, per axis; gives the line's uncertainty [N]
+  double torque_stddev = 0.0;  ///< of one sample, per axis [N m]
+  double added_direction_stddev = 0.0;  ///< artificial error of the direction, for studies [rad]
+  double added_offset_stddev = 0.0;     ///< artificial error across the line, for studies [m]
+};
+
+struct ContactSensingParameters {
+  TareParameters tare;
+  ContactDetectorParameters detector;
+  LineParameters line;
+};
+
+/// Reads the parameters from a mapping with the keys `tare`, `detector` and `line` (config/
+/// force_torque.yaml explains each). Errors are noted in `reader`.
+ContactSensingParameters readContactSensingParameters(ParameterReader* reader);
+
+/// From raw wrench samples to contact observations: tare and weight, detection, line of action.
+///
+/// The line is measured when the robot has stopped: averaged over `line.window`, starting
+/// `line.settle` after the contact was confirmed, so that neither inertia nor the impact is in it.
+/// It is given once in each contact. A contact that ends earlier gives the line of what there was.
+class ContactSensing {
+ public:
+  /// `seed` is used by the artificial line errors only.
+  explicit ContactSensing(const ContactSensingParameters& parameters, std::uint64_t seed = 0);
+
+  /// The observation of one sample; unsure while the tare lasts. A failure for values that are not
+  /// finite or times that do not rise: the sample is left out and nothing else is lost.
+  Result<ContactObservation> process(const WrenchSample& raw);
+
+  /// The compensated wrench of the last processed sample (zero while the tare lasts).
+  const Wrench& compensated() const { return compensated_; }
+
+  void startTare();
+  bool tared() const { return compensator_.tared(); }
+  const std::string& tareProblem() const { return compensator_.tareProblem(); }
+
+ private:
+  struct LineAverage {
+    double confirmed_at = 0.0;
+    Wrench sum;
+    int count = 0;
+    bool given = false;
+  };
+
+  std::optional<LineOfAction> measureLine(double time, ContactState state);
+  std::optional<LineOfAction> averagedLine();
+  void addErrors(LineOfAction* line);
+
+  ContactSensingParameters parameters_;
+  WrenchCompensator compensator_;
+  ContactDetector detector_;
+  std::mt19937_64 random_;
+  Wrench compensated_;
+  std::optional<LineAverage> average_;  ///< of the present contact
+  int averaged_contact_ = 0;            ///< contact that average_ belongs to
+  std::optional<double> last_time_;
+};
+
+}  // namespace smore

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/contact/contact_detector.h"
+
+#include <algorithm>
+
+namespace smore {
+namespace {
+
+// Sample times are multiples of the sensor period in floating point: a window of two periods must
+// hold the sample that is two periods old.
+constexpr double kTimeTolerance = 1e-6;
+
+}  // namespace
+
+ContactDetector::ContactDetector(const ContactDetectorParameters& parameters)
+    : parameters_(parameters) {}
+
+ContactState ContactDetector::process(double time, const Vec3& force) {
+  samples_.emplace_back(time, force);
+  const double longest = std::max(parameters_.fast_window, parameters_.slow_window);
+  while (time - samples_.front().first > longest + kTimeTolerance) samples_.pop_front();
+
+  updateContact(time, meanForce(parameters_.fast_window).norm());
+  if (in_contact_) return ContactState::kContact;
+  // The slow mean says nothing about free space before its window is full.
+  const bool window_full =
+      time - samples_.front().first >= parameters_.slow_window - kTimeTolerance;
+  const bool quiet = meanForce(parameters_.slow_window).norm() < parameters_.free_force;
+  return window_full && quiet ? ContactState::kFree : ContactState::kUnsure;
+}
+
+void ContactDetector::reset() {
+  samples_.clear();
+  in_contact_ = false;
+  above_since_ = -1.0;
+}
+
+Vec3 ContactDetector::meanForce(double window) const {
+  const double newest = samples_.back().first;
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  for (auto it = samples_.rbegin(); it != samples_.rend(); ++it) {
+    if (newest - it->first > window + kTimeTolerance) break;
+    sum += it->second;
+    ++count;
+  }
+  return sum / count;
+}
+
+void ContactDetector::updateContact(double time, double fast_force) {
+  if (in_contact_) {
+    in_contact_ = fast_force >= parameters_.release_force;
+    return;
+  }
+  if (fast_force < parameters_.contact_force) {
+    above_since_ = -1.0;
+    return;
+  }
+  if (above_since_ < 0.0) above_since_ = time;
+  if (time - above_since_ >= parameters_.dwell - kTimeTolerance) {
+    in_contact_ = true;
+    above_since_ = -1.0;
+    ++contact_count_;
+  }
+}
+
+}  // namespace smore

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/contact/contact_sensing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace smore {
+namespace {
+
+constexpr double kTimeTolerance = 1e-6;  // [s], floating-point error of sample times
+
+// Two unit vectors that make a right-handed frame with `axis`.
+std::pair<Vec3, Vec3> perpendiculars(const Vec3& axis) {
+  const Vec3 first = axis.unitOrthogonal();
+  return {first, axis.cross(first)};
+}
+
+TareParameters readTare(ParameterReader reader) {
+  TareParameters tare;
+  reader.integer("samples", &tare.samples, 2, 100000);
+  reader.number("max_force_stddev", &tare.max_force_stddev, {1e-9, 100.0});
+  reader.number("max_torque_stddev", &tare.max_torque_stddev, {1e-9, 100.0});
+  reader.finishNested();
+  return tare;
+}
+
+ContactDetectorParameters readDetector(ParameterReader reader) {
+  ContactDetectorParameters detector;
+  reader.number("contact_force", &detector.contact_force, {1e-3, 1000.0});
+  reader.number("free_force", &detector.free_force, {1e-3, 1000.0});
+  reader.number("release_force", &detector.release_force, {1e-3, 1000.0});
+  reader.number("dwell", &detector.dwell, {0.0, 1.0});
+  reader.number("fast_window", &detector.fast_window, {0.0, 1.0});
+  reader.number("slow_window", &detector.slow_window, {0.0, 10.0});
+  if (detector.free_force >= detector.contact_force) {
+    reader.error("free_force", "must be below contact_force");
+  }
+  if (detector.release_force > detector.contact_force) {
+    reader.error("release_force", "must not be above contact_force");
+  }
+  reader.finishNested();
+  return detector;
+}
+
+LineParameters readLine(ParameterReader reader) {
+  LineParameters line;
+  reader.number("settle", &line.settle, {0.0, 10.0});
+  reader.number("window", &line.window, {0.0, 10.0});
+  reader.number("min_force", &line.min_force, {1e-3, 1000.0});
+  reader.number("force_stddev", &line.force_stddev, {0.0, 100.0});
+  reader.number("torque_stddev", &line.torque_stddev, {0.0, 100.0});
+  reader.number("added_direction_stddev", &line.added_direction_stddev, {0.0, M_PI});
+  reader.number("added_offset_stddev", &line.added_offset_stddev, {0.0, 1.0});
+  reader.finishNested();
+  return line;
+}
+
+}  // namespace
+
+ContactSensingParameters readContactSensingParameters(ParameterReader* reader) {
+  ContactSensingParameters parameters;
+  parameters.tare = readTare(reader->nested("tare"));
+  parameters.detector = readDetector(reader->nested("detector"));
+  parameters.line = readLine(reader->nested("line"));
+  return parameters;
+}
+
+ContactSensing::ContactSensing(const ContactSensingParameters& parameters, std::uint64_t seed)
+    : parameters_(parameters),
+      compensator_(parameters.tare),
+      detector_(parameters.detector),
+      random_(seed) {}
+
+Result<ContactObservation> ContactSensing::process(const WrenchSample& raw) {
+  if (!std::isfinite(raw.time) || !isFinite(raw.wrench) || !isFinite(raw.T_world_object)) {
+    return Failure{
+        "a wrench sample is not finite (time, wrench or pose); the sample is left out; check the "
+        "sensor's driver and the robot's joint states"};
+  }
+  if (last_time_ && raw.time <= *last_time_) {
+    return Failure{"a wrench sample at " + std::to_string(raw.time) +
+                   " s is not newer than the last one at " + std::to_string(*last_time_) +
+                   " s; the sample is left out; check the clock and who else publishes wrenches"};
+  }
+  last_time_ = raw.time;
+
+  ContactObservation observation;
+  observation.time = raw.time;
+  observation.T_world_object = raw.T_world_object;
+  compensated_ = compensator_.process(raw).value_or(Wrench{});
+  if (!compensator_.tared()) return observation;
+
+  observation.state = detector_.process(raw.time, compensated_.force);
+  observation.contact_id = detector_.contactCount();
+  observation.line = measureLine(raw.time, observation.state);
+  return observation;
+}
+
+void ContactSensing::startTare() {
+  compensator_.startTare();
+  detector_.reset();
+  average_.reset();
+}
+
+std::optional<LineOfAction> ContactSensing::measureLine(double time, ContactState state) {
+  if (state != ContactState::kContact) {
+    const bool lost = average_ && !average_->given && average_->count > 0;
+    const auto line = lost ? averagedLine() : std::nullopt;
+    average_.reset();
+    return line;
+  }
+  if (!average_ || averaged_contact_ != detector_.contactCount()) {
+    average_ = LineAverage{};
+    average_->confirmed_at = time;
+    averaged_contact_ = detector_.contactCount();
+  }
+  const double age = time - average_->confirmed_at;
+  if (average_->given || age < parameters_.line.settle - kTimeTolerance) return std::nullopt;
+  average_->sum.force += compensated_.force;
+  average_->sum.torque += compensated_.torque;
+  ++average_->count;
+  const double end = parameters_.line.settle + parameters_.line.window;
+  return age >= end - kTimeTolerance ? averagedLine() : std::nullopt;
+}
+
+std::optional<LineOfAction> ContactSensing::averagedLine() {
+  average_->given = true;
+  const Wrench mean{average_->sum.force / average_->count, average_->sum.torque / average_->count};
+  const Result<LineOfAction> line = lineOfAction(mean, parameters_.line.min_force);
+  if (!line) return std::nullopt;
+  LineOfAction result = *line;
+  // Independent errors of n samples average out; the force's error turns the line about the frame's
+  // origin, so it also shifts the point by its lever.
+  const double scale = 1.0 / (result.force * std::sqrt(average_->count));
+  result.direction_stddev = parameters_.line.force_stddev * scale;
+  result.offset_stddev = std::hypot(parameters_.line.torque_stddev * scale,
+                                    result.point.norm() * result.direction_stddev);
+  addErrors(&result);
+  return result;
+}
+
+void ContactSensing::addErrors(LineOfAction* line) {
+  const double turn = parameters_.line.added_direction_stddev;
+  const double shift = parameters_.line.added_offset_stddev;
+  if (turn <= 0.0 && shift <= 0.0) return;
+  std::normal_distribution<double> normal;
+  const auto [first, second] = perpendiculars(line->direction);
+  line->point += shift * (normal(random_) * first + normal(random_) * second);
+  line->direction =
+      (line->direction + turn * (normal(random_) * first + normal(random_) * second)).normalized();
+  line->direction_stddev = std::hypot(line->direction_stddev, turn);
+  line->offset_stddev = std::hypot(line->offset_stddev, shift);
+}
+
+}  // namespace smore
