@@ -2,12 +2,32 @@
 
 set(SMORE_WARNINGS -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
 
+# Leaves in `variable` the sources that exist, while layers are being written.
+function(smore_existing variable)
+  set(existing)
+  foreach(source IN LISTS ${variable})
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${source} OR EXISTS ${source})
+      list(APPEND existing ${source})
+    else()
+      message(WARNING "${CMAKE_CURRENT_SOURCE_DIR}/${source} is missing")
+    endif()
+  endforeach()
+  set(${variable} ${existing} PARENT_SCOPE)
+endfunction()
+
 # smore_library(NAME SOURCES a.cpp ... LINK libraries ...)
 #
 # A shared library that may not leave a symbol undefined, so that the linker refuses a layer that uses
 # one above it.
 function(smore_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  smore_existing(ARG_SOURCES)
+  if(NOT ARG_SOURCES)
+    add_library(${name} INTERFACE)
+    target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR}/include)
+    target_link_libraries(${name} INTERFACE ${ARG_LINK})
+    return()
+  endif()
   add_library(${name} SHARED ${ARG_SOURCES})
   target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(${name} PUBLIC ${ARG_LINK})
@@ -22,6 +42,10 @@ endfunction()
 # smore_executable(NAME SOURCES a.cpp ... LINK libraries ...): a program in devel/lib/smore.
 function(smore_executable name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  smore_existing(ARG_SOURCES)
+  if(NOT ARG_SOURCES)
+    return()
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
   target_compile_options(${name} PRIVATE ${SMORE_WARNINGS})
@@ -33,9 +57,42 @@ endfunction()
 # smore_test(NAME SOURCES a.cpp ... LINK libraries ...): a gtest that ctest runs with no ROS master.
 function(smore_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  smore_existing(ARG_SOURCES)
+  if(NOT ARG_SOURCES)
+    return()
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main)
   target_compile_options(${name} PRIVATE ${SMORE_WARNINGS})
   target_compile_definitions(${name} PRIVATE SMORE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   add_test(NAME ${name} COMMAND ${name})
+endfunction()
+
+# smore_rostest(NAME FILE.test [SOURCES a.cpp ... LINK libraries ...] [TIMEOUT seconds (120)])
+#
+# Lets ctest run a rostest, with a ROS master of its own on a free port. Sources become the gtest
+# program NAME in devel/lib/smore, for <test pkg="smore" type="NAME" .../> in FILE.test. rostest exits
+# with an error where a test fails, crashes or writes no result. What hangs is interrupted after
+# TIMEOUT, so that rostest still ends its nodes.
+# These tests run one after another: each starts several processes that should not starve.
+function(smore_rostest name file)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINK" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  if(ARG_SOURCES)
+    add_executable(${name} ${ARG_SOURCES})
+    target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gtest)
+    target_compile_options(${name} PRIVATE ${SMORE_WARNINGS})
+    target_compile_definitions(${name} PRIVATE SMORE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    set_target_properties(${name} PROPERTIES
+      RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
+  endif()
+  add_test(NAME ${name} COMMAND
+    timeout --signal=INT --kill-after=15 ${ARG_TIMEOUT} ${CATKIN_DEVEL_PREFIX}/env.sh rostest --pkgdir=${PROJECT_SOURCE_DIR} --package=${PROJECT_NAME}
+    --results-filename ${name}.xml --results-base-dir ${PROJECT_BINARY_DIR}/test_results
+    ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+  math(EXPR hard_limit "${ARG_TIMEOUT} + 30")
+  set_tests_properties(${name} PROPERTIES RESOURCE_LOCK ros TIMEOUT ${hard_limit}
+    ENVIRONMENT "ROS_HOME=${PROJECT_BINARY_DIR}/ros_home;ROS_HOSTNAME=localhost")
 endfunction()
