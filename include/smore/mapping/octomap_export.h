@@ -14,13 +14,13 @@ namespace smore {
 /// From this probability on a voxel counts as occupied (paper, section III-C).
 constexpr double kOccupied = 0.5;
 
-/// Octree with one leaf at the finest depth for each stored voxel and the same probabilities (OctoMap
-/// stores log odds as float). The clamping thresholds are set so that no stored value is altered, the
-/// inner nodes are up to date, and nothing is pruned.
+/// Octree with one leaf at the finest depth for each stored voxel and the same probabilities
+/// (OctoMap stores log odds as float). The clamping thresholds are set so that no stored value is
+/// altered, the inner nodes are up to date, and nothing is pruned.
 std::unique_ptr<octomap::OcTree> toOctree(const VoxelGrid& grid);
 
-/// Octree of the voxels with P >= kOccupied only, for planning: a collision library that treats a value
-/// of exactly 0.5 as free (FCL 0.7 does) still sees them.
+/// Octree of the voxels with P >= kOccupied only, for planning: a collision library that treats a
+/// value of exactly 0.5 as free (FCL 0.7 does) still sees them.
 std::unique_ptr<octomap::OcTree> toOccupiedOctree(const VoxelGrid& grid);
 
 /// The grid of an octree's leaves; pruned leaves are expanded.

@@ -8,9 +8,9 @@
 
 namespace smore {
 
-/// Two occupancy maps of one voxel size, learnt together from touch: one fixed in the world frame, one
-/// that moves with the object frame. Implementations differ in how they infer occupancy; each keeps
-/// both maps consistent with one another after every call.
+/// Two occupancy maps of one voxel size, learnt together from touch: one fixed in the world frame,
+/// one that moves with the object frame. Implementations differ in how they infer occupancy; each
+/// keeps both maps consistent with one another after every call.
 class TwinMap : public ContactObserver {
  public:
   /// Occupancy probabilities in the world frame. A voxel that is not stored is unknown.

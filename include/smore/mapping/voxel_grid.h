@@ -9,8 +9,8 @@
 
 namespace smore {
 
-/// Index of a voxel: it spans [i, i + 1) voxel sizes on each axis. The range is OctoMap's, so that each
-/// key is also a key of an octree of the same resolution.
+/// Index of a voxel: it spans [i, i + 1) voxel sizes on each axis. The range is OctoMap's, so that
+/// each key is also a key of an octree of the same resolution.
 struct VoxelKey {
   std::int16_t x = 0;
   std::int16_t y = 0;
@@ -24,8 +24,8 @@ struct VoxelKey {
   bool operator<(const VoxelKey& other) const;
 };
 
-/// The voxel that holds `point` [m]; points on a face belong to the voxel above. std::out_of_range for
-/// points outside of the key range or not finite.
+/// The voxel that holds `point` [m]; points on a face belong to the voxel above. std::out_of_range
+/// for points outside of the key range or not finite.
 VoxelKey voxelAt(const Vec3& point, double voxel_size);
 
 /// Centre of a voxel [m].
@@ -33,8 +33,8 @@ Vec3 voxelCenter(const VoxelKey& key, double voxel_size);
 
 /// Sparse grid of occupancy probabilities. A voxel that is not stored is unknown.
 ///
-/// Voxels stand in one array in the order of their insertion (iteration is a scan and does not depend
-/// on hashing), found by an open-addressing index: at most 28 bytes a voxel.
+/// Voxels stand in one array in the order of their insertion (iteration is a scan and does not
+/// depend on hashing), found by an open-addressing index: at most 28 bytes a voxel.
 class VoxelGrid {
  public:
   struct Voxel {

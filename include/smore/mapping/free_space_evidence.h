@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <unordered_set>
+#include <vector>
+
+#include "smore/common/geometry.h"
+#include "smore/mapping/contact_hypotheses.h"
+#include "smore/mapping/point_index.h"
+
+namespace smore {
+
+/// One bit for each place of a line.
+using CandidateBits = std::array<std::uint64_t, kCandidates / 64>;
+
+/// Which places of two contacts contradict each other: the object's ball of the one and the world's
+/// ball of the other overlapped at a pose that was free.
+struct ConflictTable {
+  std::array<CandidateBits, kCandidates> by_object{};  ///< for a place on the object: world places
+  std::array<CandidateBits, kCandidates> by_world{};   ///< for a place in the world: object places
+};
+
+struct FreeSpaceParameters {
+  double position_cell = 0.012;  ///< poses in one cell of this size ... [m]
+  double angle_cell = 0.03;      ///< ... and this one count once [rad]
+};
+
+/// Everything that contact-free poses say about the places of all contacts. Each pose counts once,
+/// however often it is observed, and each contradiction is one bit, however many poses show it.
+class FreeSpaceEvidence {
+ public:
+  FreeSpaceEvidence(const FreeSpaceParameters& parameters, double conflict_distance);
+
+  /// Nothing touched at this pose of the object in the map frame. False where that was known.
+  bool addPose(const Pose& T_map_object);
+
+  /// A contact's places, with all that the known free poses say about them.
+  void addContact(const ContactHypotheses& contact);
+
+  /// Distinct free poses.
+  const std::vector<Eigen::Isometry3f>& poses() const { return poses_; }
+
+  /// Conflicts between places of contact `on_object` on the object and of contact `in_world` in the
+  /// world (indices in the order of addContact), or null where there are none.
+  const ConflictTable* conflicts(int on_object, int in_world) const {
+    return tables_[on_object][in_world].get();
+  }
+
+  void clear();
+
+ private:
+  void mark(int object_place, int world_place);
+
+  FreeSpaceParameters parameters_;
+  std::unordered_set<std::uint64_t> seen_;
+  std::vector<Eigen::Isometry3f> poses_;
+  std::vector<Eigen::Vector3f> object_places_;  ///< of all contacts, kCandidates each
+  std::vector<Eigen::Vector3f> world_places_;
+  PointIndex object_index_;
+  PointIndex world_index_;
+  std::vector<std::vector<std::unique_ptr<ConflictTable>>> tables_;  ///< [on_object][in_world]
+};
+
+}  // namespace smore

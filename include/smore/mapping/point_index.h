@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace smore {
+
+/// Finds the points near a place: points sorted by the cells of a box, cells along x side by side.
+class PointIndex {
+ public:
+  /// `cell` [m]: the largest distance that will be asked for.
+  explicit PointIndex(float cell) : cell_(cell) {}
+
+  /// Replaces all points.
+  void build(const std::vector<Eigen::Vector3f>& points);
+
+  /// Calls visit(i) for each point i nearer to `place` than the cell's size.
+  template <typename Visit>
+  void forNear(const Eigen::Vector3f& place, Visit visit) const {
+    if (points_.empty()) return;
+    const Eigen::Vector3f scaled = (place - min_) / cell_;
+    if (!inside(scaled)) return;
+    const Eigen::Vector3i at = scaled.array().floor().matrix().cast<int>();
+    const int z_end = std::min(at.z() + 1, size_.z() - 1);
+    const int y_end = std::min(at.y() + 1, size_.y() - 1);
+    for (int z = std::max(at.z() - 1, 0); z <= z_end; ++z) {
+      for (int y = std::max(at.y() - 1, 0); y <= y_end; ++y) {
+        const int row = (z * size_.y() + y) * size_.x();
+        const int first = first_[row + std::max(at.x() - 1, 0)];
+        const int last = first_[row + std::min(at.x() + 1, size_.x() - 1) + 1];
+        for (int i = first; i < last; ++i) {
+          if ((points_[i] - place).squaredNorm() < cell_ * cell_) visit(original_[i]);
+        }
+      }
+    }
+  }
+
+ private:
+  bool inside(const Eigen::Vector3f& scaled) const {
+    return (scaled.array() > -1.0F).all() && (scaled.array() < size_.cast<float>().array() + 1.0F).all();
+  }
+  int cellOf(const Eigen::Vector3f& point) const;
+
+  float cell_;
+  Eigen::Vector3f min_ = Eigen::Vector3f::Zero();
+  Eigen::Vector3i size_ = Eigen::Vector3i::Zero();
+  std::vector<int> first_;                ///< of each cell in points_
+  std::vector<Eigen::Vector3f> points_;   ///< in the order of their cells
+  std::vector<int> original_;             ///< where each stood in the list given to build
+};
+
+}  // namespace smore

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "smore/mapping/twin_map.h"
+#include "smore/planning/planner.h"
+#include "smore/scenario/scenario.h"
+
+namespace smore {
+
+enum class MethodKind {
+  kPaper,   ///< the laws in sequence; RRT around voxels with P >= 0.5
+  kCspace,  ///< the paper's baseline: RRT around the poses of known contacts; no use of the maps
+  kSmore,   ///< the best that this project can do
+};
+
+/// Kind of a name, `paper`, `cspace` or `smore`; InputError for any other.
+MethodKind methodKind(const std::string& name);
+std::string methodName(MethodKind kind);
+
+/// What learns and what plans, put together for one method.
+struct Method {
+  std::unique_ptr<TwinMap> maps;
+  std::unique_ptr<ContactObserver> memory;  ///< a second learner beside the maps; may be null
+  std::unique_ptr<Planner> planner;         ///< refers to the other two
+
+  /// Hands an observation to all that learn.
+  void observe(const ContactObservation& observation);
+};
+
+/// The twin map of a method. What it may know of the scenario: voxel size, workspace, motion, and
+/// the sensor's declared noise; never the shapes.
+std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario, std::uint64_t seed);
+
+/// A whole method; `seed` makes its random choices repeatable.
+Method makeMethod(MethodKind kind, const Scenario& scenario, std::uint64_t seed);
+
+}  // namespace smore

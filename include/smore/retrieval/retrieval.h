@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+
+#include "smore/common/robot.h"
+#include "smore/planning/planner.h"
+#include "smore/scenario/scenario.h"
+
+namespace smore {
+
+struct RetrievalParameters {
+  Pose start = Pose::Identity();          ///< T_world_object
+  Pose goal = Pose::Identity();           ///< T_world_object
+  double goal_position_tolerance = 0.02;  ///< [m]
+  double goal_angle_tolerance = 0.1;      ///< [rad]
+  OnContact on_contact = OnContact::kReset;
+  double retreat_distance = 0.05;  ///< how far to back off after a contact [m + rad], positive
+  int max_collisions = 2000;       ///< gives up at so many, at least 1
+  int max_failed_plans = 20;       ///< gives up after so many in a row without a path, at least 1
+};
+
+/// The parameters that the scenario fixes; the others keep their defaults.
+RetrievalParameters retrievalParameters(const Scenario& scenario);
+
+enum class Phase { kPlanning, kMoving, kResetting, kRetreating, kFinished };
+
+/// The phase in one word, for people.
+const char* phaseName(Phase phase);
+
+struct RetrievalProgress {
+  Phase phase = Phase::kPlanning;
+  int collisions = 0;
+  int plans = 0;      ///< planning calls so far, successful or not
+  double risk = 0.0;  ///< of the present plan, in [0, 1]
+};
+
+struct RetrievalOutcome {
+  bool success = false;
+  std::string reason;  ///< why it ended, in words for the user
+  int collisions = 0;  ///< confirmed contacts during commanded motion; retreats do not count
+  int plans = 0;
+  double path_length = 0.0;  ///< executed in the last attempt [m]
+  double planning_s = 0.0;   ///< wall time [s]
+  Path path;  ///< last planned path, from start to goal; empty if none was ever found
+};
+
+/// The loop: plan, move, stop at contact, learn, and again (paper, section III-C). It knows nothing
+/// of how contacts are sensed or maps are kept: the robot returns from a motion when both have been
+/// done.
+class Retrieval {
+ public:
+  using ProgressCallback = std::function<void(const RetrievalProgress&)>;
+
+  /// `robot` and `planner` must outlive this. `on_progress` is called at each change of phase, from
+  /// the thread of `run`; it may be empty.
+  Retrieval(const RetrievalParameters& parameters, Robot* robot, Planner* planner,
+            ProgressCallback on_progress);
+
+  /// Runs until the goal, the collision limit, a fault, or `requestStop`.
+  RetrievalOutcome run();
+
+  /// Ends `run` at the next change of phase; from any thread. The robot's own stop is the caller's.
+  void requestStop() { stop_requested_ = true; }
+
+ private:
+  bool atGoal() const;
+  void enter(Phase phase);
+  /// A path from where the robot is; resets to the start where there is none from elsewhere.
+  bool findPlan(Plan* plan);
+  /// True if the retrieval is over.
+  bool execute(const Plan& plan);
+  bool recover();
+  bool finish(bool success, const std::string& reason);
+
+  RetrievalParameters parameters_;
+  Robot* robot_;
+  Planner* planner_;
+  ProgressCallback on_progress_;
+  RetrievalProgress progress_;
+  RetrievalOutcome outcome_;
+  Pose last_contact_pose_ = Pose::Identity();
+  std::atomic<bool> stop_requested_{false};
+};
+
+}  // namespace smore

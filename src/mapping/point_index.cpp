@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/mapping/point_index.h"
+
+namespace smore {
+
+int PointIndex::cellOf(const Eigen::Vector3f& point) const {
+  const Eigen::Vector3i at = ((point - min_) / cell_).array().floor().matrix().cast<int>();
+  return (at.z() * size_.y() + at.y()) * size_.x() + at.x();
+}
+
+void PointIndex::build(const std::vector<Eigen::Vector3f>& points) {
+  points_.clear();
+  if (points.empty()) return;
+  Eigen::Vector3f max = points.front();
+  min_ = max;
+  for (const Eigen::Vector3f& point : points) {
+    min_ = min_.cwiseMin(point);
+    max = max.cwiseMax(point);
+  }
+  size_ = ((max - min_) / cell_).array().floor().matrix().cast<int>() + Eigen::Vector3i::Ones();
+  first_.assign(static_cast<std::size_t>(size_.prod()) + 1, 0);
+  for (const Eigen::Vector3f& point : points) ++first_[cellOf(point) + 1];
+  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+  std::vector<int> next(first_.begin(), first_.end() - 1);
+  points_.resize(points.size());
+  original_.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const int slot = next[cellOf(points[i])]++;
+    points_[slot] = points[i];
+    original_[slot] = static_cast<int>(i);
+  }
+}
+
+}  // namespace smore

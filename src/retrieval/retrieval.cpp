@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/retrieval/retrieval.h"
+
+#include <chrono>
+#include <utility>
+
+namespace smore {
+namespace {
+
+double secondsSince(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+RetrievalParameters retrievalParameters(const Scenario& scenario) {
+  RetrievalParameters parameters;
+  parameters.start = scenario.start;
+  parameters.goal = scenario.goal;
+  parameters.goal_position_tolerance = scenario.goal_position_tolerance;
+  parameters.goal_angle_tolerance = scenario.goal_angle_tolerance;
+  parameters.on_contact = scenario.on_contact;
+  return parameters;
+}
+
+const char* phaseName(Phase phase) {
+  switch (phase) {
+    case Phase::kPlanning:
+      return "planning";
+    case Phase::kMoving:
+      return "moving";
+    case Phase::kResetting:
+      return "resetting";
+    case Phase::kRetreating:
+      return "retreating";
+    case Phase::kFinished:
+      return "finished";
+  }
+  return "unknown";
+}
+
+Retrieval::Retrieval(const RetrievalParameters& parameters, Robot* robot, Planner* planner,
+                     ProgressCallback on_progress)
+    : parameters_(parameters),
+      robot_(robot),
+      planner_(planner),
+      on_progress_(std::move(on_progress)) {}
+
+RetrievalOutcome Retrieval::run() {
+  outcome_ = {};
+  progress_ = {};
+  Plan plan;
+  while (findPlan(&plan) && !execute(plan)) {
+  }
+  outcome_.collisions = progress_.collisions;
+  outcome_.plans = progress_.plans;
+  enter(Phase::kFinished);
+  return outcome_;
+}
+
+bool Retrieval::atGoal() const {
+  const Pose pose = robot_->pose();
+  return distanceBetween(pose, parameters_.goal) <= parameters_.goal_position_tolerance &&
+         angleBetween(pose, parameters_.goal) <= parameters_.goal_angle_tolerance;
+}
+
+void Retrieval::enter(Phase phase) {
+  progress_.phase = phase;
+  if (on_progress_) on_progress_(progress_);
+}
+
+bool Retrieval::findPlan(Plan* plan) {
+  std::string reason;
+  for (int failed = 0; failed < parameters_.max_failed_plans; ++failed) {
+    if (stop_requested_) {
+      finish(false, "stopped by the user");
+      return false;
+    }
+    enter(Phase::kPlanning);
+    const auto begin = std::chrono::steady_clock::now();
+    Result<Plan> result = planner_->plan(robot_->pose(), parameters_.goal);
+    outcome_.planning_s += secondsSince(begin);
+    ++progress_.plans;
+    if (result) {
+      *plan = std::move(*result);
+      progress_.risk = plan->risk;
+      outcome_.path = plan->path;
+      return true;
+    }
+    reason = result.reason();
+    // Being at the start again is an observation too: what it shows to be free may open a path.
+    enter(Phase::kResetting);
+    const MotionResult reset = robot_->reset(parameters_.start);
+    if (reset.end != MotionEnd::kReached) {
+      finish(false, "could not reset to the start: " + reset.reason);
+      return false;
+    }
+  }
+  finish(false, "no plan in " + std::to_string(parameters_.max_failed_plans) +
+                    " attempts; the last said: " + reason);
+  return false;
+}
+
+bool Retrieval::execute(const Plan& plan) {
+  enter(Phase::kMoving);
+  const MotionResult motion = robot_->follow(plan.path);
+  outcome_.path_length = motion.length;
+  switch (motion.end) {
+    case MotionEnd::kReached:
+      return atGoal() && finish(true, "the object is at the goal");
+    case MotionEnd::kContact:
+      ++progress_.collisions;
+      if (progress_.collisions >= parameters_.max_collisions) {
+        return finish(false, "reached the limit of " + std::to_string(parameters_.max_collisions) +
+                                 " collisions");
+      }
+      return recover();
+    case MotionEnd::kUnreachable:
+    case MotionEnd::kFault:
+    case MotionEnd::kStopped:
+      return finish(false, motion.reason);
+  }
+  return finish(false, "unknown end of a motion");
+}
+
+bool Retrieval::recover() {
+  // Touching twice at one place means that backing off does not lead away from it.
+  const Pose contact_pose = robot_->pose();
+  const double moved = distanceBetween(contact_pose, last_contact_pose_) +
+                       angleBetween(contact_pose, last_contact_pose_);
+  const bool repeated = progress_.collisions > 1 && moved < parameters_.retreat_distance;
+  last_contact_pose_ = contact_pose;
+  const bool reset = parameters_.on_contact == OnContact::kReset || repeated;
+  enter(reset ? Phase::kResetting : Phase::kRetreating);
+  const MotionResult motion =
+      reset ? robot_->reset(parameters_.start) : robot_->retreat(parameters_.retreat_distance);
+  return motion.end != MotionEnd::kReached &&
+         finish(false, "could not back off after the contact: " + motion.reason);
+}
+
+bool Retrieval::finish(bool success, const std::string& reason) {
+  outcome_.success = success;
+  outcome_.reason = reason;
+  return true;
+}
+
+}  // namespace smore
