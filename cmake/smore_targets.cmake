@@ -1,6 +1,7 @@
 # Functions that give every target of the package the same flags.
 
 set(SMORE_WARNINGS -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+set(SMORE_RUN_WITH_LIMIT ${CMAKE_CURRENT_LIST_DIR}/../test/run_with_limit.py)
 
 # Leaves in `variable` the sources that exist, while layers are being written.
 function(smore_existing variable)
@@ -72,8 +73,8 @@ endfunction()
 #
 # Lets ctest run a rostest, with a ROS master of its own on a free port. Sources become the gtest
 # program NAME in devel/lib/smore, for <test pkg="smore" type="NAME" .../> in FILE.test. rostest exits
-# with an error where a test fails, crashes or writes no result. What hangs is interrupted after
-# TIMEOUT, so that rostest still ends its nodes.
+# with an error where a test fails, crashes or writes no result. What hangs is ended after
+# TIMEOUT, with all its nodes.
 # These tests run one after another: each starts several processes that should not starve.
 function(smore_rostest name file)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINK" ${ARGN})
@@ -89,10 +90,10 @@ function(smore_rostest name file)
       RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
   endif()
   add_test(NAME ${name} COMMAND
-    timeout --signal=INT --kill-after=15 ${ARG_TIMEOUT} ${CATKIN_DEVEL_PREFIX}/env.sh rostest --pkgdir=${PROJECT_SOURCE_DIR} --package=${PROJECT_NAME}
+    ${SMORE_RUN_WITH_LIMIT} ${ARG_TIMEOUT} ${CATKIN_DEVEL_PREFIX}/env.sh rostest --pkgdir=${PROJECT_SOURCE_DIR} --package=${PROJECT_NAME}
     --results-filename ${name}.xml --results-base-dir ${PROJECT_BINARY_DIR}/test_results
     ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   math(EXPR hard_limit "${ARG_TIMEOUT} + 30")
   set_tests_properties(${name} PROPERTIES RESOURCE_LOCK ros TIMEOUT ${hard_limit}
-    ENVIRONMENT "ROS_HOME=${PROJECT_BINARY_DIR}/ros_home;ROS_HOSTNAME=localhost")
+    ENVIRONMENT "PATH=/usr/bin:/bin;ROS_HOME=${PROJECT_BINARY_DIR}/ros_home;ROS_HOSTNAME=localhost")
 endfunction()
