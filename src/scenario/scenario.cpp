@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/scenario/scenario.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "shape_reader.h"
+#include "smore/common/parameters.h"
+#include "smore/common/result.h"
+
+namespace smore {
+namespace {
+
+// Limits of sense: they catch wrong units, not unusual scenes.
+constexpr Range kVoxelSize{1e-3, 1.0};           // [m]
+constexpr Range kPositionTolerance{1e-6, 10.0};  // [m]
+constexpr Range kAngleTolerance{1e-6, M_PI};     // [rad]
+constexpr Range kFriction{0.0, 10.0};
+constexpr Range kSpeed{1e-4, 10.0};  // [m/s], [rad/s]
+constexpr Range kForce{1e-3, 1e4};   // [N]
+constexpr Range kNoise{0.0, 1e3};    // [N], [N m], [rad], [m]
+constexpr Range kBias{-1e3, 1e3};    // [N], [N m]
+constexpr Range kMass{1e-3, 100.0};  // [kg]
+constexpr int kMaxTouches = 1000000;
+
+using ReadSection = std::function<void(ParameterReader*)>;
+
+void ifGiven(ParameterReader* reader, const std::string& key, const ReadSection& read) {
+  if (!reader->has(key)) return;
+  ParameterReader section = reader->nested(key);
+  read(&section);
+  section.finishNested();
+}
+
+void numberIfGiven(ParameterReader* reader, const std::string& key, double* value, Range range) {
+  if (reader->has(key)) reader->number(key, value, range);
+}
+
+void vectorIfGiven(ParameterReader* reader, const std::string& key, Vec3* value, Range range) {
+  if (reader->has(key)) reader->vector(key, value, range);
+}
+
+template <typename Enum>
+void readChoice(ParameterReader* reader, const std::string& key,
+                const std::vector<std::string>& choices, Enum* value) {
+  int index = static_cast<int>(*value);
+  reader->choice(key, choices, &index);
+  *value = static_cast<Enum>(index);
+}
+
+void readPoseAt(ParameterReader* reader, const std::string& key, Pose* pose) {
+  ParameterReader section = reader->nested(key);
+  if (!reader->has(key)) return;
+  *pose = readPose(&section);
+  section.finishNested();
+}
+
+void readTask(ParameterReader* reader, Scenario* scenario) {
+  reader->text("name", &scenario->name);
+  readChoice(reader, "task", {"retrieve", "reconstruct"}, &scenario->task);
+  reader->number("voxel_size", &scenario->voxel_size, kVoxelSize);
+  readChoice(reader, "motion", {"planar", "spatial"}, &scenario->motion);
+  readChoice(reader, "robot", {"cartesian", "ur5e"}, &scenario->robot);
+  readPoseAt(reader, "start", &scenario->start);
+  readPoseAt(reader, "goal", &scenario->goal);
+  ifGiven(reader, "goal_tolerance", [scenario](ParameterReader* section) {
+    numberIfGiven(section, "position", &scenario->goal_position_tolerance, kPositionTolerance);
+    numberIfGiven(section, "angle", &scenario->goal_angle_tolerance, kAngleTolerance);
+  });
+}
+
+void readWorkspace(ParameterReader* reader, Bounds* workspace) {
+  ParameterReader section = reader->nested("workspace");
+  if (!reader->has("workspace")) return;
+  section.vector("min", &workspace->min);
+  section.vector("max", &workspace->max);
+  section.finishNested();
+  if ((workspace->min.array() > workspace->max.array()).any()) {
+    reader->error("workspace", "min is above max; give min first on every axis");
+  }
+}
+
+void readContact(ParameterReader* reader, Scenario* scenario) {
+  numberIfGiven(reader, "friction", &scenario->friction, kFriction);
+  numberIfGiven(reader, "object_mass", &scenario->object_mass, kMass);
+  ifGiven(reader, "speed", [scenario](ParameterReader* section) {
+    numberIfGiven(section, "linear", &scenario->linear_speed, kSpeed);
+    numberIfGiven(section, "angular", &scenario->angular_speed, kSpeed);
+  });
+  numberIfGiven(reader, "contact_force", &scenario->contact_force, kForce);
+  numberIfGiven(reader, "free_force", &scenario->free_force, kForce);
+  if (scenario->free_force >= scenario->contact_force) {
+    reader->error("free_force", "not below contact_force; lower free_force or raise contact_force");
+  }
+}
+
+void readWrenchNoise(ParameterReader* reader, WrenchNoise* noise) {
+  numberIfGiven(reader, "force_stddev", &noise->force_stddev, kNoise);
+  numberIfGiven(reader, "torque_stddev", &noise->torque_stddev, kNoise);
+  vectorIfGiven(reader, "force_bias", &noise->force_bias, kBias);
+  vectorIfGiven(reader, "torque_bias", &noise->torque_bias, kBias);
+  numberIfGiven(reader, "force_drift", &noise->force_drift, kNoise);
+}
+
+void readTrial(ParameterReader* reader, Scenario* scenario) {
+  ifGiven(reader, "wrench_noise", [scenario](ParameterReader* section) {
+    readWrenchNoise(section, &scenario->wrench_noise);
+  });
+  ifGiven(reader, "line_noise", [scenario](ParameterReader* section) {
+    numberIfGiven(section, "direction", &scenario->line_noise.direction, kNoise);
+    numberIfGiven(section, "offset", &scenario->line_noise.offset, kNoise);
+  });
+  if (reader->has("on_contact")) {
+    readChoice(reader, "on_contact", {"reset", "retreat"}, &scenario->on_contact);
+  }
+  ifGiven(reader, "reconstruct", [scenario](ParameterReader* section) {
+    section->integer("touches", &scenario->reconstruct_touches, 1, kMaxTouches);
+  });
+  ifGiven(reader, "perturb", [scenario](ParameterReader* section) {
+    numberIfGiven(section, "position", &scenario->perturb.position, {0.0, 10.0});
+    numberIfGiven(section, "angle", &scenario->perturb.angle, {0.0, M_PI});
+  });
+}
+
+void readArm(ParameterReader* reader, Scenario* scenario) {
+  if (reader->has("robot_base")) readPoseAt(reader, "robot_base", &scenario->T_world_base);
+  if (reader->has("gripper_object")) {
+    readPoseAt(reader, "gripper_object", &scenario->T_gripper_object);
+  }
+}
+
+void checkInSpace(ParameterReader* reader, const Scenario& scenario) {
+  const auto check = [&](const std::string& key, const Pose& pose) {
+    if (!scenario.workspace.contains(pose.translation())) {
+      reader->error(key, "outside of the workspace; move it or widen workspace.min and max");
+    } else if (!scenario.motionSpace().contains(pose)) {
+      reader->error(key, "not in the x-y plane of the start pose; move it or use motion: spatial");
+    }
+  };
+  check("start", scenario.start);
+  check("goal", scenario.goal);
+}
+
+std::vector<std::string> scenarioNames(const std::string& directory) {
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, unreadable)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+bool isReadableFile(const std::string& path) {
+  return std::filesystem::is_regular_file(path) && std::ifstream(path).good();
+}
+
+}  // namespace
+
+Scenario loadScenario(const std::string& file) {
+  ParameterReader reader(loadYaml(file), file);
+  const std::string directory = file.substr(0, file.find_last_of('/') + 1);
+  Scenario scenario;
+  readTask(&reader, &scenario);
+  scenario.object = readShapes(&reader, "object", directory, true);
+  scenario.environment = readShapes(&reader, "environment", directory, false);
+  readWorkspace(&reader, &scenario.workspace);
+  readContact(&reader, &scenario);
+  readTrial(&reader, &scenario);
+  readArm(&reader, &scenario);
+  if (reader.has("start") && reader.has("goal") && reader.has("workspace")) {
+    checkInSpace(&reader, scenario);
+  }
+  reader.finish();
+  return scenario;
+}
+
+std::string findScenario(const std::string& name_or_path, const std::string& directory) {
+  if (isReadableFile(name_or_path)) return name_or_path;
+  const std::string file = directory + "/" + name_or_path + ".yaml";
+  if (isReadableFile(file)) return file;
+  std::string known;
+  for (const std::string& name : scenarioNames(directory))
+    known += (known.empty() ? "" : ", ") + name;
+  throw InputError("scenario '" + name_or_path + "' is neither a readable file nor a name in " +
+                   directory + "; use a path or one of: " + (known.empty() ? "(none)" : known));
+}
+
+}  // namespace smore
