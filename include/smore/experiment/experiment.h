@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "smore/experiment/map_score.h"
+#include "smore/retrieval/method.h"
+#include "smore/scenario/scenario.h"
+
+namespace smore {
+
+struct ExperimentParameters {
+  MethodKind method = MethodKind::kSmore;
+  int trials = 1;          ///< at least 1
+  std::uint64_t seed = 1;  ///< trial i (from 1) uses seed + i - 1
+  int jobs = 1;            ///< trials at a time, at least 1; the results do not depend on it
+  int max_collisions = 2000;
+  std::string maps_directory;  ///< where each trial's maps are saved; empty: they are not
+};
+
+struct TrialResult {
+  std::uint64_t seed = 0;
+  bool success = false;
+  std::string reason;  ///< why it ended
+  int collisions = 0;
+  int plans = 0;
+  double path_length = 0.0;  ///< executed in the last attempt [m]
+  double wall_s = 0.0;
+  double planning_s = 0.0;
+  double mapping_s = 0.0;  ///< contact sensing included
+  double simulation_s = 0.0;
+  double simulated_s = 0.0;  ///< time that passed in the simulation
+  MapScore object_map;
+  MapScore world_map;
+};
+
+/// What an experiment tells while it runs; called from the trials' threads, one at a time.
+struct ExperimentProgress {
+  std::uint64_t seed = 0;
+  int collisions = 0;
+  int plans = 0;
+  bool finished = false;
+  bool success = false;
+  std::string reason;
+};
+
+using ExperimentCallback = std::function<void(const ExperimentProgress&)>;
+
+/// Runs one trial. std::runtime_error if the simulation fails.
+TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& parameters,
+                     std::uint64_t seed, const std::atomic<bool>& interrupted,
+                     const ExperimentCallback& on_progress);
+
+/// Runs all trials, in the order of their seeds in the result. When `interrupted` becomes true,
+/// running trials end at their next motion and are left out.
+std::vector<TrialResult> runExperiment(const Scenario& scenario,
+                                       const ExperimentParameters& parameters,
+                                       const std::atomic<bool>& interrupted,
+                                       const ExperimentCallback& on_progress);
+
+/// The result file's content (docs/experiments.md).
+std::string toJson(const Scenario& scenario, const ExperimentParameters& parameters,
+                   const std::vector<TrialResult>& trials);
+
+}  // namespace smore

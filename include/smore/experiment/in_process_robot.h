@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+
+#include "smore/common/robot.h"
+#include "smore/contact/contact_sensing.h"
+#include "smore/simulation/simulated_robot.h"
+
+namespace smore {
+
+/// Wall time spent in the parts of the loop [s].
+struct LoopTimes {
+  double simulation = 0.0;
+  double sensing_and_mapping = 0.0;
+};
+
+/// The simulated robot with its contact sensing in one process: each sensor sample is processed
+/// before the next one is made, so that nothing depends on timing.
+class InProcessRobot : public Robot {
+ public:
+  using ObservationCallback = std::function<void(const ContactObservation&)>;
+
+  /// Tares at the present pose; std::runtime_error if the sensor does not settle. `robot` must
+  /// outlive this. `on_observation` gets each observation of commanded motions and of the rest at
+  /// the start.
+  InProcessRobot(SimulatedRobot* robot, const ContactSensingParameters& sensing, std::uint64_t seed,
+                 ObservationCallback on_observation);
+
+  Pose pose() const override { return robot_->pose(); }
+  MotionResult follow(const Path& path) override;
+  MotionResult retreat(double distance) override;
+  MotionResult reset(const Pose& start) override;
+
+  const LoopTimes& times() const { return times_; }
+
+ private:
+  /// One sensor period; the observation has been handed on if `report`.
+  ContactObservation advance(bool report);
+  /// Stands still until the line of the present contact has been given, or contact is lost.
+  void settleInContact(ContactObservation observation);
+  /// Stands still until the sensor says free; false if it does not within a deadline.
+  bool waitUntilFree();
+  void recordTrail();
+
+  SimulatedRobot* robot_;
+  ContactSensing sensing_;
+  ObservationCallback on_observation_;
+  LoopTimes times_;
+  Path trail_;  ///< way from the last reset to here
+};
+
+}  // namespace smore

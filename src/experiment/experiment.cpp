@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/experiment/experiment.h"
+
+#include <octomap/octomap.h>
+
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "smore/experiment/in_process_robot.h"
+#include "smore/mapping/octomap_export.h"
+#include "smore/retrieval/reconstruction.h"
+#include "smore/retrieval/retrieval.h"
+#include "smore/simulation/simulated_robot.h"
+
+namespace smore {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+ContactSensingParameters sensingParameters(const Scenario& scenario) {
+  ContactSensingParameters parameters;
+  parameters.detector.contact_force = scenario.contact_force;
+  parameters.detector.free_force = scenario.free_force;
+  parameters.detector.release_force = 0.5 * scenario.contact_force;
+  parameters.line.force_stddev = scenario.wrench_noise.force_stddev;
+  parameters.line.torque_stddev = scenario.wrench_noise.torque_stddev;
+  parameters.line.added_direction_stddev = scenario.line_noise.direction;
+  parameters.line.added_offset_stddev = scenario.line_noise.offset;
+  return parameters;
+}
+
+void writeTree(const VoxelGrid& grid, const std::filesystem::path& file) {
+  if (!toOctree(grid)->write(file.string())) {
+    throw std::runtime_error(file.string() + ": cannot be written; check the disk");
+  }
+}
+
+void saveMaps(const TwinMap& maps, const ExperimentParameters& parameters, std::uint64_t seed) {
+  std::filesystem::path directory = parameters.maps_directory;
+  if (parameters.trials > 1) directory /= "seed_" + std::to_string(seed);
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw std::runtime_error(directory.string() + ": cannot be made: " + error.message());
+  writeTree(maps.world(), directory / "world.ot");
+  writeTree(maps.object(), directory / "object.ot");
+}
+
+RetrievalOutcome runTask(const Scenario& scenario, const ExperimentParameters& parameters,
+                         std::uint64_t seed, Robot* robot, Planner* planner,
+                         const std::atomic<bool>& interrupted,
+                         const Retrieval::ProgressCallback& on_progress) {
+  if (scenario.task == Task::kReconstruct) {
+    RandomTouches touches(scenario.motionSpace(), seed);
+    return reconstruct(reconstructionParameters(scenario), robot, &touches, on_progress,
+                       [&interrupted] { return interrupted.load(); });
+  }
+  RetrievalParameters retrieval_parameters = retrievalParameters(scenario);
+  retrieval_parameters.max_collisions = parameters.max_collisions;
+  Retrieval* running = nullptr;
+  Retrieval retrieval(retrieval_parameters, robot, planner, [&](const RetrievalProgress& progress) {
+    if (interrupted) running->requestStop();
+    on_progress(progress);
+  });
+  running = &retrieval;
+  return retrieval.run();
+}
+
+}  // namespace
+
+TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& parameters,
+                     std::uint64_t seed, const std::atomic<bool>& interrupted,
+                     const ExperimentCallback& on_progress) {
+  const auto begin = Clock::now();
+  const Scenario scene = perturbScenario(scenario, seed);
+  const auto simulated = makeSimulatedRobot(scene, seed);
+  Method method = makeMethod(parameters.method, scenario, seed);
+  InProcessRobot robot(
+      simulated.get(), sensingParameters(scene), seed,
+      [&method](const ContactObservation& observation) { method.observe(observation); });
+
+  ExperimentProgress news;
+  news.seed = seed;
+  const RetrievalOutcome outcome = runTask(scene, parameters, seed, &robot, method.planner.get(),
+                                           interrupted, [&](const RetrievalProgress& progress) {
+                                             news.collisions = progress.collisions;
+                                             news.plans = progress.plans;
+                                             if (progress.phase != Phase::kFinished)
+                                               on_progress(news);
+                                           });
+
+  TrialResult result;
+  result.seed = seed;
+  result.success = outcome.success;
+  result.reason = outcome.reason;
+  result.collisions = outcome.collisions;
+  result.plans = outcome.plans;
+  result.path_length = outcome.path_length;
+  result.planning_s = outcome.planning_s;
+  result.mapping_s = robot.times().sensing_and_mapping;
+  result.simulation_s = robot.times().simulation;
+  result.simulated_s = simulated->time();
+  result.object_map = scoreMap(method.maps->object(), scene.object);
+  result.world_map = scoreMap(method.maps->world(), scene.environment);
+  if (!parameters.maps_directory.empty() && !interrupted) {
+    saveMaps(*method.maps, parameters, seed);
+  }
+  result.wall_s = secondsSince(begin);
+
+  news.finished = true;
+  news.success = result.success;
+  news.reason = result.reason;
+  on_progress(news);
+  return result;
+}
+
+std::vector<TrialResult> runExperiment(const Scenario& scenario,
+                                       const ExperimentParameters& parameters,
+                                       const std::atomic<bool>& interrupted,
+                                       const ExperimentCallback& on_progress) {
+  std::vector<std::optional<TrialResult>> results(parameters.trials);
+  std::atomic<int> next{0};
+  std::atomic<bool> failed{false};
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto report = [&](const ExperimentProgress& progress) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    on_progress(progress);
+  };
+  const auto work = [&] {
+    for (int i = next++; i < parameters.trials && !interrupted && !failed; i = next++) {
+      try {
+        TrialResult result =
+            runTrial(scenario, parameters, parameters.seed + i, interrupted, report);
+        if (!interrupted || result.success) results[i] = std::move(result);
+      } catch (...) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (!failed.exchange(true)) failure = std::current_exception();
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int i = 0; i < parameters.jobs; ++i) threads.emplace_back(work);
+  for (std::thread& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+
+  std::vector<TrialResult> finished;
+  for (auto& result : results) {
+    if (result) finished.push_back(std::move(*result));
+  }
+  return finished;
+}
+
+}  // namespace smore

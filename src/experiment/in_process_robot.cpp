@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/experiment/in_process_robot.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+namespace smore {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+constexpr double kSettleDeadline = 2.0;  // simulated [s]; a contact settles in a tenth of it
+constexpr double kTareDeadline = 60.0;   // simulated [s]
+constexpr double kTrailSpacing = 0.002;  // [m + rad] between the poses that a retreat retraces
+
+MotionResult fault(const std::string& reason) {
+  MotionResult result;
+  result.end = MotionEnd::kFault;
+  result.reason = reason;
+  return result;
+}
+
+}  // namespace
+
+InProcessRobot::InProcessRobot(SimulatedRobot* robot, const ContactSensingParameters& sensing,
+                               std::uint64_t seed, ObservationCallback on_observation)
+    : robot_(robot), sensing_(sensing, seed), on_observation_(std::move(on_observation)) {
+  const double deadline = robot_->time() + kTareDeadline;
+  while (!sensing_.tared()) {
+    advance(false);
+    if (robot_->time() > deadline) {
+      throw std::runtime_error("no tare within " + std::to_string(kTareDeadline) +
+                               " s: " + sensing_.tareProblem());
+    }
+  }
+  if (!waitUntilFree()) throw std::runtime_error("the sensor feels a force at the start pose");
+}
+
+MotionResult InProcessRobot::follow(const Path& path) {
+  MotionResult result;
+  const int known_contacts = advance(true).contact_id;
+  robot_->follow(path);
+  while (robot_->moving()) {
+    const Pose before = robot_->pose();
+    const ContactObservation observation = advance(true);
+    result.length += distanceBetween(before, robot_->pose());
+    recordTrail();
+    if (observation.contact_id == known_contacts) continue;
+    robot_->stop();
+    settleInContact(observation);
+    result.end = MotionEnd::kContact;
+    return result;
+  }
+  result.end = MotionEnd::kReached;
+  return result;
+}
+
+MotionResult InProcessRobot::retreat(double distance) {
+  Path back;
+  double travelled = 0.0;
+  while (!trail_.empty() && travelled < distance) {
+    const Pose& next = trail_.back();
+    const Pose& last = back.empty() ? robot_->pose() : back.back();
+    travelled += distanceBetween(last, next) + angleBetween(last, next);
+    back.push_back(next);
+    trail_.pop_back();
+  }
+  robot_->follow(back);
+  while (robot_->moving()) advance(false);
+  if (!waitUntilFree()) return fault("still in contact after the retreat");
+  return {};
+}
+
+MotionResult InProcessRobot::reset(const Pose& start) {
+  robot_->place(start);
+  trail_.clear();
+  if (!waitUntilFree()) return fault("the sensor feels a force at the start pose");
+  return {};
+}
+
+ContactObservation InProcessRobot::advance(bool report) {
+  const auto begin = Clock::now();
+  const WrenchSample sample = robot_->advance();
+  times_.simulation += secondsSince(begin);
+
+  const auto sensed = Clock::now();
+  const Result<ContactObservation> observation = sensing_.process(sample);
+  if (!observation) throw std::runtime_error(observation.reason());
+  if (report) on_observation_(*observation);
+  times_.sensing_and_mapping += secondsSince(sensed);
+  return *observation;
+}
+
+void InProcessRobot::settleInContact(ContactObservation observation) {
+  const double deadline = robot_->time() + kSettleDeadline;
+  while (!observation.line && observation.state == ContactState::kContact &&
+         robot_->time() < deadline) {
+    observation = advance(true);
+  }
+}
+
+bool InProcessRobot::waitUntilFree() {
+  const double deadline = robot_->time() + kSettleDeadline;
+  while (robot_->time() < deadline) {
+    if (advance(true).state == ContactState::kFree) return true;
+  }
+  return false;
+}
+
+void InProcessRobot::recordTrail() {
+  const Pose pose = robot_->pose();
+  if (!trail_.empty() &&
+      distanceBetween(trail_.back(), pose) + angleBetween(trail_.back(), pose) < kTrailSpacing) {
+    return;
+  }
+  trail_.push_back(pose);
+}
+
+}  // namespace smore

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs trials of a scenario in one process, without ROS, and writes their scores as JSON.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <fstream>
+#include <iostream>
+
+#include "smore/common/result.h"
+#include "smore/experiment/experiment.h"
+#include "smore/experiment/progress_display.h"
+#include "smore/simulation/simulated_robot.h"
+
+namespace {
+
+constexpr int kInternalError = 1;
+constexpr int kBadInput = 2;
+constexpr int kInterrupted = 130;
+
+// The one thing that a signal handler may touch.
+std::atomic<bool> interrupted{false};
+
+void onInterrupt(int /*signal*/) { interrupted = true; }
+
+struct Arguments {
+  std::string scenario;
+  std::string method = "smore";
+  std::string output;
+  bool validate = false;
+  smore::ExperimentParameters parameters;
+};
+
+void declare(CLI::App* app, Arguments* arguments) {
+  smore::ExperimentParameters& parameters = arguments->parameters;
+  const auto count = CLI::Range(1, 1000000);
+  app->add_option("--scenario", arguments->scenario, "scenario file (YAML)")->required();
+  app->add_option("--method", arguments->method, "how to map and plan")
+      ->check(CLI::IsMember({"paper", "cspace", "smore"}))
+      ->capture_default_str();
+  app->add_option("--trials", parameters.trials, "number of trials")
+      ->check(count)
+      ->capture_default_str();
+  app->add_option("--seed", parameters.seed, "seed of the first trial")->capture_default_str();
+  app->add_option("--jobs", parameters.jobs, "trials at a time")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  app->add_option("--max-collisions", parameters.max_collisions, "a trial gives up at so many")
+      ->check(count)
+      ->capture_default_str();
+  app->add_option("--output", arguments->output, "result file (JSON) instead of standard output");
+  app->add_option("--maps", parameters.maps_directory, "directory for each trial's octrees");
+  app->add_flag("--validate", arguments->validate, "only check the scenario");
+}
+
+// True if the results have been written whole.
+bool write(const std::string& json, const std::string& file) {
+  if (file.empty()) {
+    std::cout << json << std::endl;
+    return std::cout.good();
+  }
+  std::ofstream stream(file);
+  stream << json << std::endl;
+  return stream.good();
+}
+
+int run(const Arguments& arguments) {
+  const smore::Scenario scenario = smore::loadScenario(arguments.scenario);
+  smore::checkStartAndGoalFree(scenario);
+  if (arguments.validate) {
+    std::cerr << arguments.scenario << ": valid" << std::endl;
+    return 0;
+  }
+  // An output that cannot be written must be known before hours of trials, not after.
+  if (!arguments.output.empty() && !std::ofstream(arguments.output, std::ios::app)) {
+    std::cerr << arguments.output << ": cannot be written; check the directory" << std::endl;
+    return kInternalError;
+  }
+  smore::ProgressDisplay display(&std::cerr, isatty(STDERR_FILENO) != 0,
+                                 arguments.parameters.trials);
+  const auto trials =
+      smore::runExperiment(scenario, arguments.parameters, interrupted,
+                           [&display](const auto& progress) { display.update(progress); });
+  if (!write(smore::toJson(scenario, arguments.parameters, trials), arguments.output)) {
+    std::cerr << "the results cannot be written; check the disk" << std::endl;
+    return kInternalError;
+  }
+  return interrupted ? kInterrupted : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Trials of simultaneous mapping and object reconstruction by touch",
+               "smore_experiment");
+  declare(&app, &arguments);
+  try {
+    app.parse(argc, argv);
+    arguments.parameters.method = smore::methodKind(arguments.method);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::cerr << error.what() << "; --help lists the options" << std::endl;
+    return kBadInput;
+  }
+  std::signal(SIGINT, onInterrupt);
+  std::signal(SIGTERM, onInterrupt);
+  try {
+    return run(arguments);
+  } catch (const smore::InputError& error) {
+    std::cerr << error.what() << std::endl;
+    return kBadInput;
+  } catch (const std::exception& error) {
+    std::cerr << "internal error: " << error.what() << std::endl;
+    return kInternalError;
+  }
+}

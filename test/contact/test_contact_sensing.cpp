@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "smore/contact/contact_sensing.h"
+
+namespace smore {
+namespace {
+
+constexpr double kPeriod = 0.002;
+
+// A still robot whose wrench is set by hand.
+class ContactSensingTest : public ::testing::Test {
+ protected:
+  ContactSensingTest() : sensing_(parameters()) { hold({}, 200); }
+
+  static ContactSensingParameters parameters() {
+    ContactSensingParameters parameters;
+    parameters.tare.samples = 50;
+    return parameters;
+  }
+
+  std::vector<ContactObservation> hold(const Wrench& contact, int samples) {
+    std::vector<ContactObservation> observations;
+    for (int i = 0; i < samples; ++i) {
+      WrenchSample sample;
+      sample.time = kPeriod * ++n_;
+      sample.wrench = {contact.force + bias_.force, contact.torque + bias_.torque};
+      const auto observation = sensing_.process(sample);
+      EXPECT_TRUE(observation);
+      observations.push_back(*observation);
+    }
+    return observations;
+  }
+
+  static std::vector<LineOfAction> linesOf(const std::vector<ContactObservation>& observations) {
+    std::vector<LineOfAction> lines;
+    for (const auto& observation : observations) {
+      if (observation.line) lines.push_back(*observation.line);
+    }
+    return lines;
+  }
+
+  const Wrench bias_{Vec3(3, -2, 1), Vec3(0.1, 0.2, 0.3)};
+  ContactSensing sensing_;
+  int n_ = 0;
+};
+
+TEST_F(ContactSensingTest, givesOneLineInEachContactThroughTheContactPoint) {
+  const Vec3 contact(0.1, 0.25, 0.02);
+  const Vec3 force(8, 3, -1);
+  for (int touch = 1; touch <= 3; ++touch) {
+    const auto observations = hold({force, contact.cross(force)}, 300);
+    const auto lines = linesOf(observations);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_NEAR(distanceToLine(lines[0], contact), 0.0, 1e-9);
+    EXPECT_EQ(observations.back().state, ContactState::kContact);
+    EXPECT_EQ(observations.back().contact_id, touch);
+    const auto after = hold({}, 100);
+    EXPECT_TRUE(linesOf(after).empty());
+    EXPECT_EQ(after.back().state, ContactState::kFree);
+  }
+}
+
+TEST_F(ContactSensingTest, leavesInertiaOutOfTheLine) {
+  // The impact's force points elsewhere; only what lasts may count.
+  hold({Vec3(0, 30, 0), Vec3::Zero()}, 10);
+  const auto lines = linesOf(hold({Vec3(10, 0, 0), Vec3::Zero()}, 100));
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_TRUE(lines[0].direction.isApprox(Vec3(1, 0, 0), 1e-9));
+}
+
+TEST_F(ContactSensingTest, saysUnsureWhileItTares) {
+  sensing_.startTare();
+  const auto observations = hold({}, 49);
+  EXPECT_FALSE(sensing_.tared());
+  for (const auto& observation : observations) {
+    EXPECT_EQ(observation.state, ContactState::kUnsure);
+  }
+  hold({}, 1);
+  EXPECT_TRUE(sensing_.tared());
+}
+
+TEST_F(ContactSensingTest, leavesBadSamplesOutAndGoesOn) {
+  WrenchSample bad;
+  bad.time = kPeriod * ++n_;
+  bad.wrench.force.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(sensing_.process(bad));
+  WrenchSample old;
+  old.time = kPeriod;
+  EXPECT_FALSE(sensing_.process(old));
+  EXPECT_EQ(hold({}, 1).back().state, ContactState::kFree);
+}
+
+TEST(ContactSensing, statesTheLinesUncertaintyFromTheSensorsNoise) {
+  ContactSensingParameters parameters;
+  parameters.tare.samples = 2;
+  parameters.line.force_stddev = 1.0;
+  parameters.line.torque_stddev = 0.1;
+  parameters.line.settle = 0.0;
+  parameters.line.window = 0.0;
+  ContactSensing sensing(parameters);
+  std::optional<LineOfAction> line;
+  for (int i = 0; i < 20; ++i) {
+    WrenchSample sample;
+    sample.time = kPeriod * i;
+    if (i >= 2) sample.wrench = {Vec3(10, 0, 0), Vec3(0, 0, -3.0)};  // a lever of 0.3 m
+    const auto observation = sensing.process(sample);
+    if (observation->line) line = observation->line;
+  }
+  ASSERT_TRUE(line);
+  EXPECT_NEAR(line->direction_stddev, 0.1, 1e-9);
+  EXPECT_NEAR(line->offset_stddev, std::hypot(0.01, 0.3 * 0.1), 1e-9);
+}
+
+TEST(ReadContactSensingParameters, refusesThresholdsInTheWrongOrder) {
+  const auto yaml = YAML::Load(
+      "{tare: {samples: 10, max_force_stddev: 1, max_torque_stddev: 1},"
+      " detector: {contact_force: 5, free_force: 6, release_force: 7, dwell: 0, fast_window: 0,"
+      " slow_window: 0}, line: {settle: 0, window: 0, min_force: 1, force_stddev: 0,"
+      " torque_stddev: 0, added_direction_stddev: 0, added_offset_stddev: 0}}");
+  ParameterReader reader(yaml, "force_torque.yaml");
+  readContactSensingParameters(&reader);
+  try {
+    reader.finish();
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("detector.free_force"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("detector.release_force"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace smore
