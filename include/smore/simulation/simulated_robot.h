@@ -54,12 +54,13 @@ class SimulatedRobot {
   virtual std::vector<ContactPoint> contacts() const = 0;
 };
 
-/// The robot of the scenario in its scene (no perturbation is added here). InputError where start or
-/// goal touch the environment, with the remedy.
+/// The robot of the scenario in its scene (no perturbation is added here). InputError where start
+/// or goal touch the environment, with the remedy.
 std::unique_ptr<SimulatedRobot> makeSimulatedRobot(const Scenario& scenario, std::uint64_t seed);
 
-/// The scenario of one trial: environment and grasp perturbed as `scenario.perturb` says, drawn from
-/// `seed` and again until start and goal are free of contact. InputError where 1000 draws did not do.
+/// The scenario of one trial: environment and grasp perturbed as `scenario.perturb` says, drawn
+/// from `seed` and again until start and goal are free of contact. InputError where 1000 draws did
+/// not do.
 Scenario perturbScenario(const Scenario& scenario, std::uint64_t seed);
 
 }  // namespace smore

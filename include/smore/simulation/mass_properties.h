@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "smore/scenario/shape.h"
+
+namespace smore {
+
+/// Mass [kg], centre of mass [m] and inertia about the centre of mass [kg m^2], in the object's
+/// axes.
+struct MassProperties {
+  double mass = 0.0;
+  Vec3 center = Vec3::Zero();
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+};
+
+/// A body of `mass` [kg, positive] spread over the shapes in proportion to their volumes: each
+/// solid has the same density, and where solids overlap the material counts twice. `shapes` must
+/// not be empty.
+MassProperties massProperties(const std::vector<Shape>& shapes, double mass);
+
+/// The 6 x 6 inertia about the frame's origin, linear before angular:
+/// [m 1, -m [c]x; m [c]x, I_c - m [c]x [c]x].
+Eigen::Matrix<double, 6, 6> spatialInertia(const MassProperties& body);
+
+}  // namespace smore

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <btBulletCollisionCommon.h>
+
+#include <memory>
+#include <vector>
+
+#include "smore/scenario/shape.h"
+
+namespace smore {
+
+btVector3 toBullet(const Vec3& vector);
+Vec3 fromBullet(const btVector3& vector);
+btTransform toBullet(const Pose& pose);
+Pose fromBullet(const btTransform& transform);
+
+/// A shape of Bullet with the data that it refers to.
+struct BulletShape {
+  std::unique_ptr<btTriangleMesh> triangles;  ///< of a static triangle mesh only
+  std::unique_ptr<btCollisionShape> shape;
+};
+
+/// The solid in Bullet, in its own frame. Boxes, cylinders, spheres and convex meshes are solids; a
+/// concave mesh becomes its surface and may only stand still.
+BulletShape makeBulletShape(const Shape& shape);
+
+/// One moving body of convex parts.
+class BulletCompound {
+ public:
+  /// `T_body_parent` is the shapes' parent frame in the body's frame.
+  BulletCompound(const std::vector<Shape>& shapes, const Pose& T_body_parent);
+
+  btCompoundShape* shape() { return compound_.get(); }
+
+ private:
+  std::vector<BulletShape> parts_;
+  std::unique_ptr<btCompoundShape> compound_;
+};
+
+}  // namespace smore

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <vector>
+
+#include "bullet_shapes.h"
+#include "smore/scenario/scenario.h"
+#include "smore/simulation/mass_properties.h"
+#include "smore/simulation/simulated_robot.h"
+
+namespace smore {
+
+/// Motion of the object's centre of mass: what the dynamics act on.
+struct ObjectMotion {
+  Pose T_world_object = Pose::Identity();
+  Vec3 center = Vec3::Zero();            ///< of mass, in the world [m]
+  Vec3 linear_velocity = Vec3::Zero();   ///< of the centre of mass, in the world [m/s]
+  Vec3 angular_velocity = Vec3::Zero();  ///< in the world [rad/s]
+};
+
+/// The object among the fixed environment in Bullet: one rigid body without weight, moved by the
+/// wrench that the hand exerts and by contact with friction.
+class BulletWorld {
+ public:
+  /// The object stands at the scenario's start. `step` [s], positive.
+  BulletWorld(const Scenario& scenario, const MassProperties& object, double step);
+  ~BulletWorld();
+  BulletWorld(const BulletWorld&) = delete;
+  BulletWorld& operator=(const BulletWorld&) = delete;
+
+  /// Sets the object to a pose at rest and forgets its contacts.
+  void place(const Pose& T_world_object);
+
+  /// Changes the object's velocity, in the world: as a force that no sensor sees would.
+  void changeVelocity(const Vec3& linear, const Vec3& angular);
+
+  /// Advances one step under a wrench on the object at its frame's origin, in the world's axes.
+  void step(const Wrench& wrench_world);
+
+  ObjectMotion motion() const;
+
+  /// Points with a force in the last step.
+  std::vector<ContactPoint> contacts() const;
+
+  /// Whether there is any such point.
+  bool inContact() const;
+
+ private:
+  void addEnvironment(const std::vector<Shape>& environment);
+  void addObject(const MassProperties& object, double friction);
+
+  double step_;
+  Pose T_object_body_;  ///< centre of mass and principal axes
+  BulletCompound object_shape_;
+  std::vector<BulletShape> environment_shapes_;
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_;
+  btDbvtBroadphase broadphase_;
+  btSequentialImpulseConstraintSolver solver_;
+  std::vector<std::unique_ptr<btCollisionObject>> environment_;
+  std::unique_ptr<btRigidBody> object_;
+  btDiscreteDynamicsWorld world_;
+};
+
+}  // namespace smore
