@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "smore/planning/collision_checker.h"
+#include "smore/planning/voxel_overlap.h"
+
+namespace octomap {
+class OcTree;
+}
+
+namespace smore {
+
+/// FCL's octree against octree. Poses that a distance field of the world settles do not reach FCL.
+///
+/// FCL's answer without contacts calls faces that coincide a collision (its box test pads by 1e-6),
+/// with contacts it does not. So the first says where there is none, and the depth of the contacts
+/// decides the rest (docs/octree_planning.md).
+class FclCollisionChecker : public CollisionChecker {
+ public:
+  /// Takes the leaves with P >= kOccupied (exactly that value included); others and inner nodes do
+  /// not matter. Pairs in `ignored` (positions in `occupiedVoxels` of the trees) never collide.
+  /// std::invalid_argument if the resolutions differ.
+  FclCollisionChecker(const octomap::OcTree& object, const octomap::OcTree& world,
+                      std::set<VoxelPair> ignored = {});
+  FclCollisionChecker(const OccupiedVoxels& object, const OccupiedVoxels& world,
+                      std::set<VoxelPair> ignored = {});
+  ~FclCollisionChecker() override;
+
+  bool inCollision(const Pose& T_world_object) const override;
+  double clearance(const Pose& T_world_object, double enough) const override;
+  double voxelSize() const override { return overlap_.voxelSize(); }
+  double objectRadius() const override { return overlap_.objectRadius(); }
+
+ private:
+  class Trees;
+
+  VoxelOverlap overlap_;
+  std::set<VoxelPair> ignored_;
+  std::unique_ptr<Trees> trees_;  ///< null where one of the maps has no occupied voxel
+};
+
+}  // namespace smore

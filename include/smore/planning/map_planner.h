@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "smore/mapping/twin_map.h"
+#include "smore/planning/collision_checker.h"
+#include "smore/planning/path_planner.h"
+#include "smore/planning/planner.h"
+
+namespace smore {
+
+enum class CollisionBackend {
+  kFcl,   ///< FclCollisionChecker
+  kGrid,  ///< GridCollisionChecker: the same answers, faster
+};
+
+struct MapPlannerParameters {
+  PathPlannerParameters path;
+  CollisionBackend backend = CollisionBackend::kFcl;
+  double overlap_share = 0.045;  ///< deepest overlap of voxels on a path, as a share of their size,
+                                 ///< in (0, 1): 5 % is the promise, the rest is margin for rounding
+};
+
+/// The paper's planner: a pose is valid where no voxel with P >= 0.5 of one map overlaps one of the
+/// other (paper, III-C); unknown space is free.
+///
+/// The maps may say that voxels overlap at the start, where the object in fact stands free: then
+/// the two voxels of such a pair are not both occupied. This is all that is known, so exactly these
+/// pairs are left out of this plan's checks; each of the voxels still counts against all others.
+class MapPlanner : public Planner {
+ public:
+  /// `map` must outlive the planner. Call i (from 0) draws its samples from `seed` + i.
+  /// std::invalid_argument for parameters out of their ranges.
+  MapPlanner(const TwinMap& map, const MotionSpace& space, const MapPlannerParameters& parameters,
+             std::uint32_t seed);
+
+  /// `start` is where the object stands now, free of contact. The risk of the plan is 0: by these
+  /// maps every pose is either free or not.
+  Result<Plan> plan(const Pose& start, const Pose& goal) override;
+
+ private:
+  std::unique_ptr<CollisionChecker> makeChecker(const Pose& known_free) const;
+
+  const TwinMap& map_;
+  MotionSpace space_;
+  MapPlannerParameters parameters_;
+  std::uint32_t seed_;
+};
+
+}  // namespace smore

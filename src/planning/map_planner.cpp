@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/planning/map_planner.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "smore/planning/fcl_collision_checker.h"
+#include "smore/planning/grid_collision_checker.h"
+
+namespace smore {
+
+MapPlanner::MapPlanner(const TwinMap& map, const MotionSpace& space,
+                       const MapPlannerParameters& parameters, std::uint32_t seed)
+    : map_(map), space_(space), parameters_(parameters), seed_(seed) {
+  if (!(parameters.overlap_share > 0.0 && parameters.overlap_share < 1.0)) {
+    throw std::invalid_argument("the share of overlap must be between 0 and 1");
+  }
+  const PathPlanner checks_the_rest(space, parameters.path, seed);
+}
+
+Result<Plan> MapPlanner::plan(const Pose& start, const Pose& goal) {
+  const auto checker = makeChecker(start);
+  const double depth = parameters_.overlap_share * checker->voxelSize();
+  PathPlanner planner(space_, parameters_.path, seed_++);
+  const auto path = planner.plan(
+      start, goal, [&checker](const Pose& pose) { return !checker->inCollision(pose); },
+      [&checker, depth](const Pose& from, const Pose& to) {
+        return isMotionFree(*checker, from, to, depth);
+      });
+  if (!path) return Failure{path.reason()};
+  return Plan{*path, 0.0};
+}
+
+std::unique_ptr<CollisionChecker> MapPlanner::makeChecker(const Pose& known_free) const {
+  const OccupiedVoxels object = occupiedVoxels(map_.object());
+  const OccupiedVoxels world = occupiedVoxels(map_.world());
+  std::set<VoxelPair> ignored = VoxelOverlap(object, world).pairs(known_free);
+  if (parameters_.backend == CollisionBackend::kGrid) {
+    return std::make_unique<GridCollisionChecker>(object, world, std::move(ignored));
+  }
+  return std::make_unique<FclCollisionChecker>(object, world, std::move(ignored));
+}
+
+}  // namespace smore

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/planning/path_planner.h"
+
+#include <ompl/base/MotionValidator.h>
+#include <ompl/base/PlannerTerminationCondition.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/goals/GoalState.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/Console.h>
+
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <sstream>
+#include <stdexcept>
+
+#include "motion_state_space.h"
+#include "nearest_forest.h"
+
+namespace smore {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+void silenceOmpl() {
+  static std::once_flag silenced;
+  std::call_once(silenced, [] { ompl::msg::noOutputHandler(); });
+}
+
+/// Motions judged by the caller.
+class CallerMotionValidator : public ob::MotionValidator {
+ public:
+  CallerMotionValidator(const ob::SpaceInformationPtr& information, const MotionStateSpace& space,
+                        const MotionValidity& valid)
+      : MotionValidator(information), space_(space), valid_(valid) {}
+
+  bool checkMotion(const ob::State* from, const ob::State* to) const override {
+    return valid_(space_.toPose(from), space_.toPose(to));
+  }
+
+  bool checkMotion(const ob::State* from, const ob::State* to,
+                   std::pair<ob::State*, double>& last_valid) const override {
+    if (checkMotion(from, to)) return true;
+    last_valid.second = 0.0;
+    if (last_valid.first != nullptr) si_->copyState(last_valid.first, from);
+    return false;
+  }
+
+ private:
+  const MotionStateSpace& space_;
+  const MotionValidity& valid_;
+};
+
+/// OMPL's RRT with its random decisions (when to sample the goal) drawn from a seed.
+class SeededRrt : public og::RRT {
+ public:
+  SeededRrt(const ob::SpaceInformationPtr& information, std::uint32_t seed) : RRT(information) {
+    rng_.setLocalSeed(seed);
+  }
+};
+
+/// Ends a search after so many samples or so much time.
+class Budget {
+ public:
+  explicit Budget(const PathPlannerParameters& parameters)
+      : parameters_(parameters), begin_(std::chrono::steady_clock::now()) {}
+
+  /// To be asked once for each sample.
+  bool isUsedUp() {
+    if (++asked_ > parameters_.max_iterations) return true;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+    timed_out_ = timed_out_ || elapsed.count() > parameters_.time_limit_s;
+    return timed_out_;
+  }
+
+  std::string reason() const {
+    std::ostringstream text;
+    if (timed_out_) {
+      text << "no path to the goal within the time limit of " << parameters_.time_limit_s << " s";
+    } else {
+      text << "no path to the goal after " << parameters_.max_iterations << " samples";
+    }
+    return text.str();
+  }
+
+ private:
+  PathPlannerParameters parameters_;
+  std::chrono::steady_clock::time_point begin_;
+  int asked_ = 0;
+  bool timed_out_ = false;
+};
+
+/// One search: the OMPL objects of a single call.
+class Search {
+ public:
+  Search(const MotionStateSpace& space, const PathPlannerParameters& parameters, std::uint32_t seed,
+         const StateValidity& valid, const MotionValidity& motion_valid)
+      : space_(space),
+        parameters_(parameters),
+        information_(std::make_shared<ob::SpaceInformation>(space.ompl())) {
+    information_->setStateValidityChecker([&space, &valid](const ob::State* state) {
+      const Pose pose = space.toPose(state);
+      return space.isInWorkspace(pose) && valid(pose);
+    });
+    information_->setMotionValidator(
+        std::make_shared<CallerMotionValidator>(information_, space, motion_valid));
+    information_->setup();
+    planner_ = makePlanner(seed);
+  }
+
+  Result<Path> run(const Pose& start, const Pose& goal) {
+    auto problem = std::make_shared<ob::ProblemDefinition>(information_);
+    ob::ScopedState<> from(space_.ompl());
+    ob::ScopedState<> to(space_.ompl());
+    space_.fromPose(start, from.get());
+    space_.fromPose(goal, to.get());
+    problem->setStartAndGoalStates(from, to);
+    planner_->setProblemDefinition(problem);
+    Budget budget(parameters_);
+    const ob::PlannerTerminationCondition until([&budget] { return budget.isUsedUp(); });
+    if (planner_->solve(until) != ob::PlannerStatus::EXACT_SOLUTION) {
+      return Failure{budget.reason()};
+    }
+    return toPath(*problem->getSolutionPath()->as<og::PathGeometric>(), start, goal);
+  }
+
+ private:
+  ob::PlannerPtr makePlanner(std::uint32_t seed) const {
+    if (parameters_.algorithm == PlannerAlgorithm::kRrtConnect) {
+      auto planner = std::make_shared<og::RRTConnect>(information_);
+      planner->setRange(parameters_.step);
+      planner->setNearestNeighbors<NearestForest>();
+      return planner;
+    }
+    auto planner = std::make_shared<SeededRrt>(information_, seed);
+    planner->setRange(parameters_.step);
+    planner->setGoalBias(parameters_.goal_bias);
+    planner->setNearestNeighbors<NearestForest>();
+    return planner;
+  }
+
+  /// The ends are the caller's own poses, not their images in OMPL's coordinates.
+  Path toPath(const og::PathGeometric& solution, const Pose& start, const Pose& goal) const {
+    Path path = {start};
+    for (std::size_t i = 1; i + 1 < solution.getStateCount(); ++i) {
+      path.push_back(space_.toPose(solution.getState(i)));
+    }
+    path.push_back(goal);
+    return path;
+  }
+
+  const MotionStateSpace& space_;
+  PathPlannerParameters parameters_;
+  ob::SpaceInformationPtr information_;
+  ob::PlannerPtr planner_;
+};
+
+std::string describe(const Pose& pose) {
+  std::ostringstream text;
+  text << "(" << pose.translation().transpose() << ")";
+  return text.str();
+}
+
+/// Why a pose cannot begin or end a path; empty where it can.
+std::string refusal(const std::string& name, const Pose& pose, const MotionSpace& space,
+                    const MotionStateSpace& states, const StateValidity& valid) {
+  if (!isFinite(pose)) return "the " + name + " is not finite";
+  if (!states.isInWorkspace(pose)) {
+    return "the " + name + " " + describe(pose) + " is outside of the workspace " +
+           describe(makePose(space.workspace.min)) + " to " +
+           describe(makePose(space.workspace.max));
+  }
+  MotionSpace unbounded = space;
+  unbounded.workspace.min.setConstant(-std::numeric_limits<double>::infinity());
+  unbounded.workspace.max.setConstant(std::numeric_limits<double>::infinity());
+  if (!unbounded.contains(pose)) {
+    return "the " + name + " " + describe(pose) + " does not lie in the plane of motion";
+  }
+  if (!valid(pose)) return "the " + name + " " + describe(pose) + " is in collision";
+  return "";
+}
+
+void check(const PathPlannerParameters& parameters) {
+  const bool sound = parameters.step > 0.0 && parameters.goal_bias >= 0.0 &&
+                     parameters.goal_bias <= 1.0 && parameters.max_iterations >= 1 &&
+                     parameters.time_limit_s > 0.0;
+  if (!sound) throw std::invalid_argument("a parameter of the path planner is out of its range");
+}
+
+}  // namespace
+
+PathPlanner::PathPlanner(const MotionSpace& space, const PathPlannerParameters& parameters,
+                         std::uint32_t seed)
+    : space_(space), parameters_(parameters), seed_(seed) {
+  check(parameters);
+}
+
+Result<Path> PathPlanner::plan(const Pose& start, const Pose& goal, const StateValidity& valid,
+                               const CheckResolution& resolution) {
+  return plan(start, goal, valid, [&](const Pose& from, const Pose& to) {
+    const Path poses = densify({from, to}, resolution.distance, resolution.angle);
+    return std::all_of(poses.begin() + 1, poses.end(), valid);
+  });
+}
+
+Result<Path> PathPlanner::plan(const Pose& start, const Pose& goal, const StateValidity& valid,
+                               const MotionValidity& motion_valid) {
+  silenceOmpl();
+  const MotionStateSpace states(space_, seed_);
+  for (const auto& [name, pose] : {std::make_pair("start", start), std::make_pair("goal", goal)}) {
+    const std::string reason = refusal(name, pose, space_, states, valid);
+    if (!reason.empty()) return Failure{reason};
+  }
+  return Search(states, parameters_, seed_, valid, motion_valid).run(start, goal);
+}
+
+}  // namespace smore

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/planning/risk_planner.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace smore {
+namespace {
+
+// Rungs of the ladder: largest share of the worlds that may touch at any one pose.
+constexpr std::array<double, 9> kRungs = {0.0, 0.04, 0.1, 0.2, 0.35, 0.5, 0.7, 0.9, 1.0};
+
+// Samples around nodes of the tree, half of them along one axis only: near ones and wider ones.
+constexpr double kNearShare = 0.2;
+constexpr double kLocalShare = 0.45;
+constexpr double kNear = 0.10;
+constexpr double kWide = 0.35;
+constexpr double kRadiansPerMetre = 2.5;  // of local samples: sweeping turns at short distances
+
+// A chain of steps towards the other tree is at most as long as a workspace is wide.
+constexpr int kLongestConnection = 60;
+
+constexpr double kMoveDistance = 0.05;  // of an inner state of a path [m]
+
+}  // namespace
+
+struct RiskPlanner::Search {
+  RiskMotions motions;
+  RiskState start;
+  RiskState goal;
+  CounterRandom random;
+};
+
+RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
+                         const RiskPlannerParameters& parameters, std::uint64_t seed)
+    : belief_(&belief),
+      parameters_(parameters),
+      space_(space, belief.toMap(Pose::Identity()), parameters.lever),
+      seed_(seed) {}
+
+Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
+  Search search{RiskMotions(belief_->worlds(), parameters_.lever), space_.toState(start),
+                space_.toState(goal), CounterRandom(mixBits(seed_, calls_++))};
+  if (!space_.contains(search.start)) return Failure{"the start is outside of the workspace"};
+  if (!space_.contains(search.goal)) return Failure{"the goal is outside of the workspace"};
+  const std::vector<RiskPath> paths = climb(&search);
+  if (paths.empty()) return Failure{"the planner's iterations were used up at every level of risk"};
+  const auto best = std::min_element(
+      paths.begin(), paths.end(),
+      [](const RiskPath& a, const RiskPath& b) { return a.value() < b.value(); });
+  Plan plan;
+  for (const RiskState& state : best->states()) plan.path.push_back(space_.toPose(state));
+  plan.path.front() = start;
+  plan.path.back() = goal;
+  plan.risk = best->risk();
+  return plan;
+}
+
+std::vector<RiskPath> RiskPlanner::climb(Search* search) const {
+  std::vector<RiskPath> paths;
+  for (const double rung : kRungs) {
+    const int limit = static_cast<int>(rung * kHypotheses);
+    for (int k = 0; k < parameters_.paths; ++k) {
+      const bool first = paths.empty();
+      auto states =
+          connect(search, limit, first ? parameters_.iterations : parameters_.iterations / 2);
+      if (!states) break;
+      paths.emplace_back(search->motions, parameters_.objective, std::move(*states));
+      paths.back().improve(space_, parameters_.improvements, kMoveDistance, &search->random);
+    }
+    if (static_cast<int>(paths.size()) >= parameters_.paths) break;
+  }
+  return paths;
+}
+
+RiskState RiskPlanner::draw(const RiskTree& tree, CounterRandom* random) const {
+  const double choice = random->uniform();
+  if (choice >= kLocalShare) return space_.sample(random);
+  const RiskState& center = tree.state(random->index(tree.size()));
+  const double distance = choice < kNearShare ? kNear : kWide;
+  const double angle = kRadiansPerMetre * distance;
+  return random->uniform() < 0.5 ? space_.sampleAlongAxis(center, distance, angle, random)
+                                 : space_.sampleNear(center, distance, angle, random);
+}
+
+void RiskPlanner::plantTracks(RiskTree* tree) const {
+  const RiskState root = tree->state(0);
+  for (const Path& track : belief_->freeTracks()) {
+    int parent = 0;
+    if (track.empty() || distanceBetween(space_.toPose(root), track.front()) > parameters_.step) continue;
+    for (const Pose& pose : track) parent = tree->add(space_.toState(pose), parent);
+  }
+}
+
+std::optional<std::vector<RiskState>> RiskPlanner::connect(Search* search, int limit,
+                                                           int iterations) const {
+  RiskTree from_start(search->motions, parameters_.step);
+  RiskTree from_goal(search->motions, parameters_.step);
+  from_start.add(search->start, -1);
+  from_goal.add(search->goal, -1);
+  plantTracks(&from_start);
+  for (int i = 0; i < iterations; ++i) {
+    RiskTree& grown = i % 2 == 0 ? from_start : from_goal;
+    RiskTree& other = i % 2 == 0 ? from_goal : from_start;
+    const RiskState sample = draw(grown, &search->random);
+    if (!space_.contains(sample)) continue;
+    const RiskTree::Extension extension = grown.extend(sample, limit);
+    if (extension.growth == RiskTree::Growth::kNone) continue;
+    const RiskState target = grown.state(extension.node);
+    RiskTree::Extension bridge{RiskTree::Growth::kStep, 0};
+    for (int n = 0; n < kLongestConnection && bridge.growth == RiskTree::Growth::kStep; ++n) {
+      bridge = other.extend(target, limit);
+    }
+    if (bridge.growth != RiskTree::Growth::kReached) continue;
+    std::vector<RiskState> states = grown.branch(extension.node);
+    std::vector<RiskState> rest = other.branch(bridge.node);
+    states.insert(states.end(), rest.rbegin() + 1, rest.rend());
+    if (i % 2 != 0) std::reverse(states.begin(), states.end());
+    return states;
+  }
+  return std::nullopt;
+}
+
+}  // namespace smore
