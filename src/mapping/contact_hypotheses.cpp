@@ -41,7 +41,8 @@ void PointArray::set(int i, const Vec3& point) {
   z[i] = static_cast<float>(point.z());
 }
 
-std::optional<ContactHypotheses> contactHypotheses(const Pose& T_map_object, const LineOfAction& line,
+std::optional<ContactHypotheses> contactHypotheses(const Pose& T_map_object,
+                                                   const LineOfAction& line,
                                                    const FeatureParameters& parameters,
                                                    bool planar) {
   Vec3 direction = line.direction;

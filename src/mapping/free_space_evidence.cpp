@@ -35,8 +35,10 @@ void rebuild(const std::vector<Eigen::Vector3f>& places, PointIndex* index) {
   std::vector<Eigen::Vector3f> filled = places;
   Eigen::Vector3f last = Eigen::Vector3f::Zero();
   for (Eigen::Vector3f& place : filled) {
-    if (isPlace(place)) last = place;
-    else place = last;
+    if (isPlace(place))
+      last = place;
+    else
+      place = last;
   }
   index->build(filled);
 }
@@ -66,8 +68,7 @@ bool FreeSpaceEvidence::addPose(const Pose& T_map_object) {
   const Eigen::Isometry3f& T = poses_.back();
   for (std::size_t i = 0; i < object_places_.size(); ++i) {
     if (!isPlace(object_places_[i])) continue;
-    world_index_.forNear(T * object_places_[i],
-                         [&](int j) { mark(static_cast<int>(i), j); });
+    world_index_.forNear(T * object_places_[i], [&](int j) { mark(static_cast<int>(i), j); });
   }
   return true;
 }

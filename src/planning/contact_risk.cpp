@@ -6,8 +6,8 @@
 namespace smore {
 namespace {
 
-// Between two checks no matter moves farther than this share of the distance at which two balls touch,
-// on each of the two ways to move it; it cannot pass through another unseen.
+// Between two checks no matter moves farther than this share of the distance at which two balls
+// touch, on each of the two ways to move it; it cannot pass through another unseen.
 constexpr double kCheckShare = 0.3;
 constexpr double kFinestCheck = 0.001;
 

@@ -22,7 +22,8 @@ Eigen::Isometry3f RiskState::pose() const {
 }
 
 RiskState interpolate(const RiskState& a, const RiskState& b, float fraction) {
-  return {a.position + fraction * (b.position - a.position), a.rotation.slerp(fraction, b.rotation)};
+  return {a.position + fraction * (b.position - a.position),
+          a.rotation.slerp(fraction, b.rotation)};
 }
 
 RiskMotions::RiskMotions(const SampledWorlds& worlds, double lever)
@@ -34,7 +35,8 @@ RiskMotions::RiskMotions(const SampledWorlds& worlds, double lever)
 float RiskMotions::squaredDistance(const RiskState& a, const RiskState& b) const {
   // Series of the squared angle in 1 - |cos(angle / 2)|; 1 % short of pi squared at worst.
   const float x = std::max(0.0F, 1.0F - std::abs(a.rotation.dot(b.rotation)));
-  const float squared_angle = 8.0F * x * (1.0F + x * (1.0F / 6.0F + x * (2.0F / 45.0F + x / 70.0F)));
+  const float squared_angle =
+      8.0F * x * (1.0F + x * (1.0F / 6.0F + x * (2.0F / 45.0F + x / 70.0F)));
   return (a.position - b.position).squaredNorm() + lever_ * lever_ * squared_angle;
 }
 

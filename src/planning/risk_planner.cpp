@@ -46,9 +46,9 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   if (!space_.contains(search.goal)) return Failure{"the goal is outside of the workspace"};
   const std::vector<RiskPath> paths = climb(&search);
   if (paths.empty()) return Failure{"the planner's iterations were used up at every level of risk"};
-  const auto best = std::min_element(
-      paths.begin(), paths.end(),
-      [](const RiskPath& a, const RiskPath& b) { return a.value() < b.value(); });
+  const auto best =
+      std::min_element(paths.begin(), paths.end(),
+                       [](const RiskPath& a, const RiskPath& b) { return a.value() < b.value(); });
   Plan plan;
   for (const RiskState& state : best->states()) plan.path.push_back(space_.toPose(state));
   plan.path.front() = start;
@@ -88,7 +88,8 @@ void RiskPlanner::plantTracks(RiskTree* tree) const {
   const RiskState root = tree->state(0);
   for (const Path& track : belief_->freeTracks()) {
     int parent = 0;
-    if (track.empty() || distanceBetween(space_.toPose(root), track.front()) > parameters_.step) continue;
+    if (track.empty() || distanceBetween(space_.toPose(root), track.front()) > parameters_.step)
+      continue;
     for (const Pose& pose : track) parent = tree->add(space_.toState(pose), parent);
   }
 }

@@ -40,16 +40,17 @@ class PointIndex {
 
  private:
   bool inside(const Eigen::Vector3f& scaled) const {
-    return (scaled.array() > -1.0F).all() && (scaled.array() < size_.cast<float>().array() + 1.0F).all();
+    return (scaled.array() > -1.0F).all() &&
+           (scaled.array() < size_.cast<float>().array() + 1.0F).all();
   }
   int cellOf(const Eigen::Vector3f& point) const;
 
   float cell_;
   Eigen::Vector3f min_ = Eigen::Vector3f::Zero();
   Eigen::Vector3i size_ = Eigen::Vector3i::Zero();
-  std::vector<int> first_;                ///< of each cell in points_
-  std::vector<Eigen::Vector3f> points_;   ///< in the order of their cells
-  std::vector<int> original_;             ///< where each stood in the list given to build
+  std::vector<int> first_;               ///< of each cell in points_
+  std::vector<Eigen::Vector3f> points_;  ///< in the order of their cells
+  std::vector<int> original_;            ///< where each stood in the list given to build
 };
 
 }  // namespace smore

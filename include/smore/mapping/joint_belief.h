@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "smore/mapping/contact_hypotheses.h"
+#include "smore/mapping/free_space_evidence.h"
+#include "smore/mapping/joint_distribution.h"
+#include "smore/mapping/sampled_worlds.h"
+#include "smore/mapping/twin_map.h"
+
+namespace smore {
+
+struct JointBeliefParameters {
+  double voxel_size = 0.03;  ///< of the published maps [m], positive
+  /// The plane of planar motion (its x-y plane), in which every body counts as a prism; nothing for
+  /// motion in space.
+  std::optional<Pose> T_world_plane;
+  std::uint64_t seed = 1;
+  FeatureParameters feature;
+  FreeSpaceParameters free_space;
+  DistributionParameters distribution;
+  ExtentParameters extent;
+};
+
+/// A belief that keeps all its evidence: where on each line each contact was, inferred jointly over
+/// all contacts and all free poses, as 64 equally likely worlds. Both maps are their marginals.
+///
+/// The same set of observations gives the same belief in any order and at any rate of free samples
+/// that is fine against the cells of FreeSpaceParameters. Free poses take effect in the maps when
+/// they are next asked for.
+class JointBelief : public TwinMap {
+ public:
+  explicit JointBelief(const JointBeliefParameters& parameters);
+
+  void observe(const ContactObservation& observation) override;
+  const VoxelGrid& world() const override;
+  const VoxelGrid& object() const override;
+  std::uint64_t revision() const override { return revision_; }
+  void reset() override;
+
+  /// The sampled worlds; in the frames of toMap.
+  const SampledWorlds& worlds() const;
+
+  /// The pose of the object in the map frame: the plane of motion, or the world.
+  Pose toMap(const Pose& T_world_object) const { return T_map_world_ * T_world_object; }
+
+  /// Motions that were free, in the order in which they were made [T_world_object].
+  const std::vector<Path>& freeTracks() const { return tracks_; }
+
+  std::size_t contactCount() const { return contacts_.size(); }
+  const JointBeliefParameters& parameters() const { return parameters_; }
+
+ private:
+  void addFree(const Pose& T_world_object);
+  void addContact(const Pose& T_world_object, const LineOfAction& line);
+  void extendTrack(const Pose& T_world_object);
+  void refresh() const;
+  void publish() const;
+
+  JointBeliefParameters parameters_;
+  Pose T_map_world_ = Pose::Identity();
+  std::uint64_t revision_ = 0;
+  FreeSpaceEvidence evidence_;
+  std::vector<ContactHypotheses> contacts_;
+  std::vector<Path> tracks_;
+  Pose last_free_ = Pose::Identity();
+
+  // What follows from the evidence, made when it is asked for.
+  mutable bool stale_ = false;
+  mutable SampledWorlds worlds_;
+  mutable VoxelGrid world_;
+  mutable VoxelGrid object_;
+};
+
+}  // namespace smore

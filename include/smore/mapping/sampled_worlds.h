@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "smore/mapping/contact_hypotheses.h"
+#include "smore/mapping/free_space_evidence.h"
+#include "smore/mapping/joint_distribution.h"
+#include "smore/mapping/mask_grid.h"
+
+namespace smore {
+
+/// How far matter goes on along a touched surface.
+struct ExtentParameters {
+  double object_length = 0.15;  ///< mean length to each side of a touch on the object [m]
+  double world_length = 0.04;   ///< the same in the world [m]
+  double normal_stddev = 0.1;   ///< of the normal, from friction that tilts the force [rad]
+};
+
+/// The surroundings of a joint sample: all that SampledWorlds is made from. Views.
+struct WorldSamples {
+  const std::vector<ContactHypotheses>& contacts;
+  const FreeSpaceEvidence& evidence;
+  const std::array<Explanation, kHypotheses>& explanations;
+};
+
+/// 64 worlds that the evidence allows, side by side in the bits of machine words: each an
+/// explanation of all contacts, with the touched surfaces continued at random until free space ends
+/// them.
+class SampledWorlds {
+ public:
+  SampledWorlds() = default;
+  SampledWorlds(const WorldSamples& samples, const FeatureParameters& feature,
+                const ExtentParameters& extent, bool planar, std::uint64_t seed);
+
+  /// The worlds in which the object touches at this pose in the map frame.
+  HypothesisMask touching(const Eigen::Isometry3f& T_map_object) const;
+
+  /// Centres of the balls of matter, in the object's and the map's frame.
+  const std::vector<MaskedPoint>& object() const { return object_; }
+  const std::vector<MaskedPoint>& world() const { return world_; }
+
+  /// Distance of two balls' centres at which they touch [m]; 0 for a world without contacts.
+  double contactDistance() const { return contact_distance_; }
+
+ private:
+  /// Points of the object that lie together, looked up as one first.
+  struct Block {
+    MaskedPoint whole;
+    int first = 0;
+    int last = 0;
+  };
+  void makeBlocks(float size);
+
+  double contact_distance_ = 0.0;
+  std::vector<MaskedPoint> object_;  ///< block after block
+  std::vector<MaskedPoint> world_;
+  std::vector<Block> blocks_;
+  MaskGrid near_world_;  ///< by the centre of a ball of the object: touches
+  MaskGrid near_block_;  ///< by the centre of a block: some point of it may touch
+};
+
+}  // namespace smore

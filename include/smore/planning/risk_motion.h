@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "smore/mapping/sampled_worlds.h"
+
+namespace smore {
+
+/// A pose of the object in the map frame, as the search stores it.
+struct RiskState {
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< [m]
+  Eigen::Quaternionf rotation = Eigen::Quaternionf::Identity();
+
+  Eigen::Isometry3f pose() const;
+};
+
+RiskState interpolate(const RiskState& a, const RiskState& b, float fraction);
+
+/// What a straight motion costs.
+struct MotionCost {
+  double length = 0.0;          ///< in the metric of RiskMotions [m]
+  double exposure = 0.0;        ///< integral of the pose risk over the length [m]
+  HypothesisMask touching = 0;  ///< worlds in which it touches
+};
+
+/// Straight motions in the sampled worlds and the metric in which the search measures them.
+class RiskMotions {
+ public:
+  /// `lever` [m]: what one radian counts. `worlds` is a view.
+  RiskMotions(const SampledWorlds& worlds, double lever);
+
+  /// Square root of squared distance of the origins plus squared lever times angle.
+  float squaredDistance(const RiskState& a, const RiskState& b) const;
+  double distance(const RiskState& a, const RiskState& b) const;
+
+  /// Cost of a motion; its first pose is not looked at.
+  MotionCost cost(const RiskState& from, const RiskState& to) const;
+
+  /// Whether no pose of it (but the first) touches in more than `limit` worlds.
+  bool within(const RiskState& from, const RiskState& to, int limit) const;
+
+ private:
+  int steps(const RiskState& from, const RiskState& to) const;
+
+  const SampledWorlds* worlds_;
+  float lever_;
+  double check_;  ///< distance of neighbouring checks [m]
+};
+
+}  // namespace smore

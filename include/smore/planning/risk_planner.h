@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "smore/mapping/counter_random.h"
+#include "smore/mapping/joint_belief.h"
+#include "smore/planning/planner.h"
+#include "smore/planning/risk_path.h"
+#include "smore/planning/risk_space.h"
+#include "smore/planning/risk_tree.h"
+#include "smore/scenario/motion_space.h"
+
+namespace smore {
+
+struct RiskPlannerParameters {
+  int iterations = 4000;  ///< samples for each tree on each rung of the ladder of risk, at least 1
+  int paths = 4;          ///< paths of which the best is taken, at least 1
+  int improvements = 60;  ///< shortcuts, and moves, tried on each path
+  double step = 0.12;     ///< longest edge of the trees, in the metric of the search [m]
+  double lever = 0.3;     ///< what a radian counts in that metric: half of a held thing's reach [m]
+  RiskObjective objective;
+};
+
+/// Least risk first, then length: bidirectional trees in the states whose risk stays below a limit,
+/// the limit raised rung by rung until there are paths; of these, improved by shortcuts and moves,
+/// the one with the best objective over the joint samples (docs/planning.md). There is always a
+/// path unless start or goal lie outside of the workspace: at the last rung everything is allowed.
+class RiskPlanner : public Planner {
+ public:
+  /// `belief` is a view. The same seed and the same calls give the same paths.
+  RiskPlanner(const JointBelief& belief, const MotionSpace& space,
+              const RiskPlannerParameters& parameters, std::uint64_t seed);
+
+  Result<Plan> plan(const Pose& start, const Pose& goal) override;
+
+ private:
+  struct Search;
+  std::vector<RiskPath> climb(Search* search) const;
+  std::optional<std::vector<RiskState>> connect(Search* search, int limit, int iterations) const;
+  RiskState draw(const RiskTree& tree, CounterRandom* random) const;
+  void plantTracks(RiskTree* tree) const;
+
+  const JointBelief* belief_;
+  RiskPlannerParameters parameters_;
+  RiskSpace space_;
+  std::uint64_t seed_;
+  std::uint64_t calls_ = 0;
+};
+
+}  // namespace smore

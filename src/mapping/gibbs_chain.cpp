@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/mapping/gibbs_chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "smore/mapping/counter_random.h"
+
+namespace smore {
+namespace {
+
+// Each factor of the products below is at most 1 + 1 / base, so that so many of them stay far from
+// the largest float for any base above 0.01.
+constexpr int kFactorsPerLog = 12;
+
+float squaredScale(const AttractionParameters& attraction) {
+  return static_cast<float>(attraction.scale * attraction.scale);
+}
+
+template <typename Visit>
+void forSetBits(const CandidateBits& bits, Visit visit) {
+  for (std::size_t word = 0; word < bits.size(); ++word) {
+    for (std::uint64_t left = bits[word]; left != 0; left &= left - 1) {
+      visit(static_cast<int>(word) * 64 + __builtin_ctzll(left));
+    }
+  }
+}
+
+}  // namespace
+
+GibbsChain::GibbsChain(const std::vector<ContactHypotheses>& contacts,
+                       const FreeSpaceEvidence& evidence, const DistributionParameters& parameters,
+                       std::uint64_t seed)
+    : contacts_(contacts),
+      evidence_(evidence),
+      parameters_(parameters),
+      seed_(seed),
+      places_(contacts.size(), kFalseContact),
+      entered_(contacts.size(), false),
+      object_(contacts.size(), Eigen::Vector3f::Zero()),
+      world_(contacts.size(), Eigen::Vector3f::Zero()),
+      object_sums_(contacts.size(), 0.0F),
+      world_sums_(contacts.size(), 0.0F) {}
+
+Explanation GibbsChain::run() {
+  for (int sweep = 0; sweep <= parameters_.sweeps; ++sweep) {
+    for (const int contact : visitOrder(sweep)) {
+      if (entered_[contact]) remove(contact);
+      add(contact, draw(contact, sweep));
+    }
+  }
+  return places_;
+}
+
+std::vector<int> GibbsChain::visitOrder(int sweep) const {
+  std::vector<std::pair<std::uint64_t, int>> keyed;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    keyed.emplace_back(mixBits(contacts_[k].id, mixBits(seed_, sweep)), static_cast<int>(k));
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<int> order;
+  for (const auto& entry : keyed) order.push_back(entry.second);
+  return order;
+}
+
+void GibbsChain::changeSums(int contact, float sign) {
+  const float object_scale = squaredScale(parameters_.object);
+  const float world_scale = squaredScale(parameters_.world);
+  for (std::size_t l = 0; l < contacts_.size(); ++l) {
+    if (places_[l] == kFalseContact || static_cast<int>(l) == contact) continue;
+    const float object =
+        attractionKernel((object_[l] - object_[contact]).squaredNorm() / object_scale);
+    const float world = attractionKernel((world_[l] - world_[contact]).squaredNorm() / world_scale);
+    object_sums_[l] = std::max(0.0F, object_sums_[l] + sign * object);
+    world_sums_[l] = std::max(0.0F, world_sums_[l] + sign * world);
+    object_sums_[contact] += object;
+    world_sums_[contact] += world;
+  }
+}
+
+void GibbsChain::remove(int contact) {
+  entered_[contact] = false;
+  if (places_[contact] == kFalseContact) return;
+  changeSums(contact, -1.0F);
+  places_[contact] = kFalseContact;
+}
+
+void GibbsChain::add(int contact, int place) {
+  entered_[contact] = true;
+  places_[contact] = static_cast<std::int16_t>(place);
+  if (place == kFalseContact) return;
+  object_[contact] = contacts_[contact].object.at(place);
+  world_[contact] = contacts_[contact].world.at(place);
+  object_sums_[contact] = 0.0F;
+  world_sums_[contact] = 0.0F;
+  changeSums(contact, 1.0F);
+}
+
+int GibbsChain::draw(int contact, int sweep) {
+  const int count = contacts_[contact].count;
+  Row weight;
+  logWeights(contact, &weight);
+  const float nothing = static_cast<float>(std::log(parameters_.false_contact) -
+                                           std::log1p(-parameters_.false_contact));
+  const float largest =
+      std::max(nothing, *std::max_element(weight.begin(), weight.begin() + count));
+  float sum = std::exp(nothing - largest);
+  const float nothing_weight = sum;
+  for (int i = 0; i < count; ++i) sum += weight[i] = std::exp(weight[i] - largest);
+  CounterRandom random(mixBits(contacts_[contact].id, mixBits(~seed_, sweep)));
+  float left = static_cast<float>(random.uniform()) * sum - nothing_weight;
+  if (left < 0.0F) return kFalseContact;
+  int place = 0;
+  for (; place + 1 < count; ++place) {
+    left -= weight[place];
+    if (left < 0.0F) break;
+  }
+  return place;
+}
+
+void GibbsChain::logWeights(int contact, Row* log_weight) const {
+  Row attraction{};
+  Row conflicts{};
+  addAttraction(contact, contacts_[contact].object, object_, object_sums_, parameters_.object,
+                &attraction);
+  addAttraction(contact, contacts_[contact].world, world_, world_sums_, parameters_.world,
+                &attraction);
+  countConflicts(contact, &conflicts);
+  const auto exponent = static_cast<float>(parameters_.exponent);
+  const auto cost = static_cast<float>(parameters_.conflict_cost);
+  for (int i = 0; i < kCandidates; ++i) {
+    (*log_weight)[i] =
+        contacts_[contact].log_prior[i] + exponent * attraction[i] - cost * conflicts[i];
+  }
+}
+
+void GibbsChain::addAttraction(int contact, const PointArray& places,
+                               const std::vector<Eigen::Vector3f>& at,
+                               const std::vector<float>& sums,
+                               const AttractionParameters& attraction, Row* log_weight) const {
+  const auto base = static_cast<float>(attraction.base);
+  const float scale = 1.0F / squaredScale(attraction);
+  Row sum{};
+  Row factor;
+  factor.fill(1.0F);
+  int factors = 0;
+  const auto flush = [&] {
+    for (int i = 0; i < kCandidates; ++i) (*log_weight)[i] += std::log(factor[i]);
+    factor.fill(1.0F);
+    factors = 0;
+  };
+  for (std::size_t l = 0; l < contacts_.size(); ++l) {
+    if (places_[l] == kFalseContact || static_cast<int>(l) == contact) continue;
+    const float gain = 1.0F / (base + sums[l]);
+    const Eigen::Vector3f other = at[l];
+    for (int i = 0; i < kCandidates; ++i) {
+      const float dx = places.x[i] - other.x();
+      const float dy = places.y[i] - other.y();
+      const float dz = places.z[i] - other.z();
+      const float kernel = attractionKernel((dx * dx + dy * dy + dz * dz) * scale);
+      sum[i] += kernel;
+      factor[i] *= 1.0F + kernel * gain;
+    }
+    if (++factors == kFactorsPerLog) flush();
+  }
+  for (int i = 0; i < kCandidates; ++i) factor[i] *= 1.0F + sum[i] / base;
+  flush();
+}
+
+void GibbsChain::countConflicts(int contact, Row* conflicts) const {
+  const auto count = [&](int i) { (*conflicts)[i] += 1.0F; };
+  for (std::size_t l = 0; l < contacts_.size(); ++l) {
+    if (places_[l] == kFalseContact || static_cast<int>(l) == contact) continue;
+    const int other = static_cast<int>(l);
+    const ConflictTable* on_object = evidence_.conflicts(contact, other);
+    const ConflictTable* in_world = evidence_.conflicts(other, contact);
+    if (on_object != nullptr) forSetBits(on_object->by_world[places_[l]], count);
+    if (in_world != nullptr) forSetBits(in_world->by_object[places_[l]], count);
+  }
+  const ConflictTable* own = evidence_.conflicts(contact, contact);
+  if (own == nullptr) return;
+  for (int i = 0; i < contacts_[contact].count; ++i) {
+    if (((own->by_object[i][i / 64] >> (i % 64)) & 1U) != 0) (*conflicts)[i] += 2.0F;
+  }
+}
+
+}  // namespace smore

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/mapping/joint_belief.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "smore/mapping/counter_random.h"
+
+namespace smore {
+namespace {
+
+// Neighbours in a track of free poses, and the largest gap that one motion leaves between samples.
+constexpr double kTrackSpacing = 0.05;
+constexpr double kTrackAngle = 0.15;
+
+// Probabilities stay off 0 and 1 by less than what one of the 64 worlds counts.
+constexpr double kLeastProbability = 0.005;
+
+// The masks of voxels, beside the grid that will hold their shares.
+class MaskedVoxels {
+ public:
+  explicit MaskedVoxels(VoxelGrid* grid) : grid_(grid) { grid_->clear(); }
+
+  void add(const VoxelKey& key, HypothesisMask mask) {
+    const auto known = grid_->find(key);
+    const std::size_t position = known ? *known : grid_->set(key, 0.0F);
+    if (!known) masks_.push_back(0);
+    masks_[position] |= mask;
+  }
+
+  // The voxel that holds the ball's centre, and each whose own centre the ball holds.
+  void addBall(const Vec3& center, double radius, HypothesisMask mask) {
+    const double size = grid_->voxelSize();
+    const VoxelKey key = voxelAt(center, size);
+    add(key, mask);
+    const VoxelKey low = voxelAt(center - Vec3::Constant(radius), size);
+    const VoxelKey high = voxelAt(center + Vec3::Constant(radius), size);
+    VoxelKey near;
+    for (near.z = low.z; near.z <= high.z; ++near.z) {
+      for (near.y = low.y; near.y <= high.y; ++near.y) {
+        for (near.x = low.x; near.x <= high.x; ++near.x) {
+          if ((voxelCenter(near, size) - center).norm() <= radius) add(near, mask);
+        }
+      }
+    }
+  }
+
+  void store() {
+    for (std::size_t i = 0; i < masks_.size(); ++i) {
+      const double share =
+          std::clamp(shareOf(masks_[i]), kLeastProbability, 1.0 - kLeastProbability);
+      grid_->setAt(i, static_cast<float>(share));
+    }
+  }
+
+ private:
+  VoxelGrid* grid_;
+  std::vector<HypothesisMask> masks_;
+};
+
+void voxelize(const std::vector<MaskedPoint>& points, const Pose& T_grid_map, double radius,
+              VoxelGrid* grid) {
+  MaskedVoxels voxels(grid);
+  for (const MaskedPoint& ball : points) {
+    voxels.addBall(T_grid_map * ball.point.cast<double>(), radius, ball.mask);
+  }
+  voxels.store();
+}
+
+}  // namespace
+
+JointBelief::JointBelief(const JointBeliefParameters& parameters)
+    : parameters_(parameters),
+      evidence_(parameters.free_space, parameters.feature.conflictDistance()),
+      world_(parameters.voxel_size),
+      object_(parameters.voxel_size) {
+  if (parameters.T_world_plane) T_map_world_ = parameters.T_world_plane->inverse();
+}
+
+void JointBelief::observe(const ContactObservation& observation) {
+  if (observation.state == ContactState::kFree) addFree(observation.T_world_object);
+  if (observation.state == ContactState::kContact && observation.line) {
+    addContact(observation.T_world_object, *observation.line);
+  }
+}
+
+void JointBelief::addFree(const Pose& T_world_object) {
+  extendTrack(T_world_object);
+  if (!evidence_.addPose(toMap(T_world_object)) || contacts_.empty()) return;
+  stale_ = true;
+  ++revision_;
+}
+
+void JointBelief::extendTrack(const Pose& T_world_object) {
+  const bool first = tracks_.empty();
+  const bool jumped = !first && (distanceBetween(last_free_, T_world_object) > kTrackSpacing ||
+                                 angleBetween(last_free_, T_world_object) > kTrackAngle);
+  last_free_ = T_world_object;
+  if (first || jumped) {
+    tracks_.push_back({T_world_object});
+    return;
+  }
+  const Pose& last = tracks_.back().back();
+  if (distanceBetween(last, T_world_object) > kTrackSpacing ||
+      angleBetween(last, T_world_object) > kTrackAngle) {
+    tracks_.back().push_back(T_world_object);
+  }
+}
+
+void JointBelief::addContact(const Pose& T_world_object, const LineOfAction& line) {
+  const auto places = contactHypotheses(toMap(T_world_object), line, parameters_.feature,
+                                        parameters_.T_world_plane.has_value());
+  if (!places) return;
+  const bool known = std::any_of(contacts_.begin(), contacts_.end(),
+                                 [&](const auto& contact) { return contact.id == places->id; });
+  if (known) return;
+  contacts_.push_back(*places);
+  evidence_.addContact(*places);
+  stale_ = true;
+  ++revision_;
+}
+
+const VoxelGrid& JointBelief::world() const {
+  refresh();
+  return world_;
+}
+
+const VoxelGrid& JointBelief::object() const {
+  refresh();
+  return object_;
+}
+
+const SampledWorlds& JointBelief::worlds() const {
+  refresh();
+  return worlds_;
+}
+
+void JointBelief::reset() {
+  evidence_.clear();
+  contacts_.clear();
+  tracks_.clear();
+  stale_ = true;
+  ++revision_;
+}
+
+void JointBelief::refresh() const {
+  if (!stale_) return;
+  stale_ = false;
+  std::array<Explanation, kHypotheses> explanations;
+  const JointDistribution distribution(contacts_, evidence_, parameters_.distribution);
+  for (int m = 0; m < kHypotheses; ++m) {
+    explanations[m] = distribution.sample(mixBits(parameters_.seed, m));
+  }
+  worlds_ =
+      SampledWorlds({contacts_, evidence_, explanations}, parameters_.feature, parameters_.extent,
+                    parameters_.T_world_plane.has_value(), parameters_.seed);
+  publish();
+}
+
+void JointBelief::publish() const {
+  const double radius = parameters_.feature.radius;
+  voxelize(worlds_.world(), T_map_world_.inverse(), radius, &world_);
+  voxelize(worlds_.object(), Pose::Identity(), radius, &object_);
+}
+
+}  // namespace smore

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/mapping/surface_extents.h"
+
+#include <cmath>
+
+#include "smore/mapping/counter_random.h"
+
+namespace smore {
+namespace {
+
+constexpr int kSpatialRays = 6;
+constexpr double kPi = 3.14159265358979323846;
+
+// Points are merged and looked up on lattices that are fine against the balls.
+float latticeCell(const FeatureParameters& feature) {
+  return static_cast<float>(feature.conflictDistance()) / 5.0F;
+}
+
+double gaussian(CounterRandom* random) {
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - random->uniform()));
+  return radius * std::cos(2.0 * kPi * random->uniform());
+}
+
+}  // namespace
+
+SurfaceExtents::SurfaceExtents(const WorldSamples& samples, const FeatureParameters& feature,
+                               const ExtentParameters& extent, bool planar, std::uint64_t seed)
+    : samples_(samples),
+      feature_(feature),
+      extent_(extent),
+      planar_(planar),
+      seed_(seed),
+      object_(latticeCell(feature)),
+      world_(latticeCell(feature)) {
+  addTouches();
+  growAll(Side::kObject);
+  growAll(Side::kWorld);
+}
+
+void SurfaceExtents::addTouches() {
+  for (int m = 0; m < kHypotheses; ++m) {
+    const HypothesisMask bit = HypothesisMask{1} << m;
+    for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
+      const int place = samples_.explanations[m][k];
+      if (place == kFalseContact) continue;
+      object_.add(samples_.contacts[k].object.at(place), bit);
+      world_.add(samples_.contacts[k].world.at(place), bit);
+    }
+  }
+}
+
+void SurfaceExtents::growAll(Side side) {
+  const auto radius = static_cast<float>(feature_.conflictDistance());
+  opposite_ = MaskGrid(side == Side::kObject ? world_.points() : object_.points(), radius,
+                       latticeCell(feature_));
+  known_.clear();
+  poses_.clear();
+  for (const Eigen::Isometry3f& T : samples_.evidence.poses()) {
+    poses_.push_back(side == Side::kObject ? T : T.inverse());
+  }
+  for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
+    for (int m = 0; m < kHypotheses; ++m) grow(side, static_cast<int>(k), m);
+  }
+}
+
+void SurfaceExtents::grow(Side side, int contact, int hypothesis) {
+  const int place = samples_.explanations[hypothesis][contact];
+  if (place == kFalseContact) return;
+  const ContactHypotheses& touched = samples_.contacts[contact];
+  const bool on_object = side == Side::kObject;
+  const Eigen::Vector3f start = (on_object ? touched.object : touched.world).at(place);
+  const double length = on_object ? extent_.object_length : extent_.world_length;
+  const auto step = static_cast<float>(0.5 * feature_.conflictDistance());
+  const double go_on = std::exp(-step / length);
+  const std::uint64_t seed =
+      mixBits(touched.id, mixBits(seed_, 2 * hypothesis + (on_object ? 1 : 0)));
+  const HypothesisMask bit = HypothesisMask{1} << hypothesis;
+  CounterRandom random(~seed);
+  const double stddev = std::hypot(touched.direction_stddev, extent_.normal_stddev);
+  for (const Eigen::Vector3f& tangent :
+       tangents(on_object ? touched.object_normal : touched.world_normal, stddev, seed)) {
+    Eigen::Vector3f point = start;
+    while (random.uniform() < go_on) {
+      point += step * tangent;
+      if (on_object && point.norm() > feature_.reach) break;
+      if ((contradictions(point) & bit) != 0) break;
+      (on_object ? object_ : world_).add(point, bit);
+    }
+  }
+}
+
+std::vector<Eigen::Vector3f> SurfaceExtents::tangents(const Vec3& normal, double stddev,
+                                                      std::uint64_t seed) const {
+  CounterRandom random(seed);
+  std::vector<Eigen::Vector3f> result;
+  if (planar_) {
+    const double tilt = stddev * gaussian(&random);
+    const Vec3 tangent =
+        Eigen::AngleAxisd(tilt, Vec3::UnitZ()) * Vec3(-normal.y(), normal.x(), 0.0);
+    result.push_back(tangent.cast<float>());
+    result.push_back(-tangent.cast<float>());
+    return result;
+  }
+  const Vec3 across = normal.unitOrthogonal();
+  const Vec3 up = normal.cross(across);
+  const Vec3 tilted =
+      (normal + stddev * (gaussian(&random) * across + gaussian(&random) * up)).normalized();
+  const Vec3 first = tilted.unitOrthogonal();
+  const Vec3 second = tilted.cross(first);
+  const double turn = 2.0 * kPi * random.uniform();
+  for (int ray = 0; ray < kSpatialRays; ++ray) {
+    const double angle = turn + 2.0 * kPi * ray / kSpatialRays;
+    const Vec3 tangent = std::cos(angle) * first + std::sin(angle) * second;
+    result.push_back(tangent.cast<float>());
+  }
+  return result;
+}
+
+HypothesisMask SurfaceExtents::contradictions(const Eigen::Vector3f& point) {
+  const float cell = latticeCell(feature_);
+  const auto found = known_.emplace(MaskedPoints::cellKey(point, cell), 0);
+  HypothesisMask& mask = found.first->second;
+  if (!found.second) return mask;
+  const Eigen::Vector3f center = (point / cell).array().round().matrix() * cell;
+  for (const Eigen::Isometry3f& T : poses_) {
+    mask |= opposite_.at(T * center);
+    if (mask == ~HypothesisMask{0}) break;
+  }
+  return mask;
+}
+
+}  // namespace smore
