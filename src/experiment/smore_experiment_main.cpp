@@ -11,7 +11,7 @@
 #include "smore/common/result.h"
 #include "smore/experiment/experiment.h"
 #include "smore/experiment/progress_display.h"
-#include "smore/simulation/simulated_robot.h"
+#include "smore/simulation/scene_check.h"
 
 namespace {
 

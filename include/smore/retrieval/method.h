@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "smore/mapping/twin_map.h"
 #include "smore/planning/planner.h"
@@ -24,12 +23,14 @@ std::string methodName(MethodKind kind);
 
 /// What learns and what plans, put together for one method.
 struct Method {
-  std::unique_ptr<TwinMap> maps;
-  std::unique_ptr<ContactObserver> memory;  ///< a second learner beside the maps; may be null
+  std::unique_ptr<TwinMap> maps;            ///< empty for ever where `memory` learns instead
+  std::unique_ptr<ContactObserver> memory;  ///< what learns instead of the maps; null if they do
   std::unique_ptr<Planner> planner;         ///< refers to the other two
 
-  /// Hands an observation to all that learn.
-  void observe(const ContactObservation& observation);
+  /// Hands an observation to what learns.
+  void observe(const ContactObservation& observation) {
+    (memory ? *memory : static_cast<ContactObserver&>(*maps)).observe(observation);
+  }
 };
 
 /// The twin map of a method. What it may know of the scenario: voxel size, workspace, motion, and

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/retrieval/method.h"
+
+#include <utility>
+
+#include "smore/common/result.h"
+#include "smore/mapping/joint_belief.h"
+#include "smore/mapping/sequential_belief.h"
+#include "smore/planning/cspace_memory.h"
+#include "smore/planning/cspace_planner.h"
+#include "smore/planning/map_planner.h"
+#include "smore/planning/risk_planner.h"
+
+namespace smore {
+namespace {
+
+// Planners count their calls up from their seed: trials whose seeds are neighbours must not share
+// random numbers. No trial makes so many plans.
+std::uint32_t plannerSeed(std::uint64_t seed) {
+  constexpr std::uint64_t kMorePlansThanAnyTrial = 1000003;
+  return static_cast<std::uint32_t>(seed * kMorePlansThanAnyTrial);
+}
+
+std::unique_ptr<TwinMap> makeSequentialBelief(const Scenario& scenario) {
+  SequentialBeliefParameters parameters;
+  parameters.voxel_size = scenario.voxel_size;
+  return std::make_unique<SequentialBelief>(parameters);
+}
+
+std::unique_ptr<JointBelief> makeJointBelief(const Scenario& scenario, std::uint64_t seed) {
+  JointBeliefParameters parameters;
+  parameters.voxel_size = scenario.voxel_size;
+  if (scenario.motion == Motion::kPlanar) parameters.T_world_plane = scenario.start;
+  parameters.seed = seed;
+  return std::make_unique<JointBelief>(parameters);
+}
+
+// The planner's step is the paper's: one voxel.
+PathPlannerParameters pathParameters(const Scenario& scenario) {
+  PathPlannerParameters parameters;
+  parameters.step = scenario.voxel_size;
+  return parameters;
+}
+
+Method makePaper(const Scenario& scenario, std::uint64_t seed) {
+  Method method;
+  method.maps = makeSequentialBelief(scenario);
+  MapPlannerParameters parameters;
+  parameters.path = pathParameters(scenario);
+  method.planner = std::make_unique<MapPlanner>(*method.maps, scenario.motionSpace(), parameters,
+                                                plannerSeed(seed));
+  return method;
+}
+
+Method makeCspace(const Scenario& scenario, std::uint64_t seed) {
+  Method method;
+  method.maps = makeSequentialBelief(scenario);
+  auto memory = std::make_unique<CspaceMemory>();
+  method.planner = std::make_unique<CspacePlanner>(*memory, scenario.motionSpace(),
+                                                   pathParameters(scenario), plannerSeed(seed));
+  method.memory = std::move(memory);
+  return method;
+}
+
+Method makeSmore(const Scenario& scenario, std::uint64_t seed) {
+  Method method;
+  auto belief = makeJointBelief(scenario, seed);
+  method.planner =
+      std::make_unique<RiskPlanner>(*belief, scenario.motionSpace(), RiskPlannerParameters{}, seed);
+  method.maps = std::move(belief);
+  return method;
+}
+
+}  // namespace
+
+MethodKind methodKind(const std::string& name) {
+  for (const MethodKind kind : {MethodKind::kPaper, MethodKind::kCspace, MethodKind::kSmore}) {
+    if (methodName(kind) == name) return kind;
+  }
+  throw InputError("unknown method '" + name + "'; use paper, cspace or smore");
+}
+
+std::string methodName(MethodKind kind) {
+  switch (kind) {
+    case MethodKind::kPaper:
+      return "paper";
+    case MethodKind::kCspace:
+      return "cspace";
+    case MethodKind::kSmore:
+      return "smore";
+  }
+  return "unknown";
+}
+
+std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario,
+                                     std::uint64_t seed) {
+  if (kind == MethodKind::kSmore) return makeJointBelief(scenario, seed);
+  return makeSequentialBelief(scenario);
+}
+
+Method makeMethod(MethodKind kind, const Scenario& scenario, std::uint64_t seed) {
+  switch (kind) {
+    case MethodKind::kPaper:
+      return makePaper(scenario, seed);
+    case MethodKind::kCspace:
+      return makeCspace(scenario, seed);
+    case MethodKind::kSmore:
+      return makeSmore(scenario, seed);
+  }
+  throw InputError("unknown method");
+}
+
+}  // namespace smore
