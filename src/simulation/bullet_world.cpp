@@ -7,11 +7,11 @@ namespace smore {
 namespace {
 
 // One body's contacts converge within a few sweeps; the bound is for jams.
-constexpr int kSolverIterations = 200;
+constexpr int kSolverIterations = 100;
 
 // The solver stops when no row changes its relative velocity by more than this [m/s]: with half a
-// kilogram and a step of a millisecond a force of 0.5 mN.
-constexpr double kSolverVelocityTolerance = 1e-6;
+// kilogram and a step of a millisecond a force of 5 mN.
+constexpr double kSolverVelocityTolerance = 1e-5;
 
 // Share of a penetration that each step takes back. It moves the object without adding velocity, so
 // that no contact force comes of it.
@@ -31,8 +31,10 @@ void configure(btContactSolverInfo* solver) {
   solver->m_leastSquaresResidualThreshold = kSolverVelocityTolerance * kSolverVelocityTolerance;
   solver->m_erp2 = kPenetrationRecovery;
   solver->m_splitImpulsePenetrationThreshold = 0.0;
-  // Without the second direction friction acts along one line of the contact plane only.
-  solver->m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  // Without the second direction friction acts along one line of the contact plane only; directions
+  // that follow the sliding velocity turn about at rest, and with them the friction.
+  solver->m_solverMode |=
+      SOLVER_USE_2_FRICTION_DIRECTIONS | SOLVER_DISABLE_VELOCITY_DEPENDENT_FRICTION_DIRECTION;
 }
 
 // Force on the first body of the manifold.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bullet_shapes.h"
+#include "cone_friction_solver.h"
 #include "smore/scenario/scenario.h"
 #include "smore/simulation/mass_properties.h"
 #include "smore/simulation/simulated_robot.h"
@@ -59,7 +60,7 @@ class BulletWorld {
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
-  btSequentialImpulseConstraintSolver solver_;
+  ConeFrictionSolver solver_;
   std::vector<std::unique_ptr<btCollisionObject>> environment_;
   std::unique_ptr<btRigidBody> object_;
   btDiscreteDynamicsWorld world_;
