@@ -132,8 +132,8 @@ void ParameterReader::vector(const std::string& key, Vec3* value, Range range) {
 }
 
 ParameterReader ParameterReader::nested(const std::string& key) {
-  YAML::Node node = find(key);
-  if (!node.IsDefined()) node = YAML::Node(YAML::NodeType::Map);
+  const YAML::Node found = find(key);
+  const YAML::Node node = found.IsDefined() ? found : YAML::Node(YAML::NodeType::Map);
   return ParameterReader(node, source_, prefix_ + key + ".", errors_);
 }
 
