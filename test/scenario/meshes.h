@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sstream>
+#include <string>
+
+#include "smore/scenario/shape.h"
+
+namespace smore {
+
+/// Wavefront OBJ text of a prism: `outline` counter-clockwise in x and y, z from 0 to `height`. The
+/// caps are fans about the first corner, which must see all others.
+inline std::string prismObj(const std::vector<Eigen::Vector2d>& outline, double height) {
+  std::ostringstream text;
+  text.precision(17);
+  const size_t n = outline.size();
+  for (const double z : {0.0, height}) {
+    for (const Eigen::Vector2d& p : outline)
+      text << "v " << p.x() << " " << p.y() << " " << z << "\n";
+  }
+  for (size_t i = 2; i < n; ++i) text << "f 1 " << i + 1 << " " << i << "\n";
+  for (size_t i = 2; i < n; ++i) text << "f " << n + 1 << " " << n + i << " " << n + i + 1 << "\n";
+  for (size_t i = 0; i < n; ++i) {
+    const size_t j = (i + 1) % n;
+    text << "f " << i + 1 << " " << j + 1 << " " << n + j + 1 << " " << n + i + 1 << "\n";
+  }
+  return text.str();
+}
+
+/// A cube from 0 to 1 on each axis.
+inline std::string cubeObj() { return prismObj({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1.0); }
+
+/// An L of three unit squares, with the inner corner at (1, 1), first in the list: it sees all
+/// others.
+inline std::string ellObj() {
+  return prismObj({{1, 1}, {1, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 1}}, 1.0);
+}
+
+}  // namespace smore
