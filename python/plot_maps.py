@@ -1,0 +1,249 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws the two maps of a run beside the true outlines.
+
+    plot_maps.py --scenario FILE --maps DIR [--output FILE.png] [--path FILE.json]
+
+DIR holds world.ot and object.ot. A planar scene is shown from above, the most probable of the voxels
+within three of the plane of motion on top; a spatial one from three sides, the most probable voxel along
+each line of sight on top. As in the paper's figures, black to white is the world from free to occupied
+and green to red the object; what is not stored is unknown and stays blank.
+"""
+import argparse
+import json
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+import yaml
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.lines import Line2D
+
+from octree_file import OctreeFileError, read_octree
+from scene_geometry import Scene, View, outline_mask, transform
+
+UNKNOWN = "#c3cedb"
+WORLD_COLORS = "gray"
+OBJECT_COLORS = LinearSegmentedColormap.from_list("object", ["#1a9641", "#f4e04d", "#d7191c"])
+PATH_COLORS = LinearSegmentedColormap.from_list("path", ["#00d5e0", "#8e24aa"])
+WORLD_OUTLINE = "#e0691a"
+OBJECT_OUTLINE = "#1f3fae"
+OBJECT_AT_START = "#6f93ff"
+SLICE_HALF_VOXELS = 3  # voxels on either side of the plane of motion that a top view shows
+MARGIN = 0.12  # around what a panel shows [m]
+TOP = View(np.array([1.0, 0, 0]), np.array([0, 1.0, 0]), ("x", "y"))
+FRONT = View(np.array([1.0, 0, 0]), np.array([0, 0, 1.0]), ("x", "z"))
+SIDE = View(np.array([0, 1.0, 0]), np.array([0, 0, 1.0]), ("y", "z"))
+NORM = Normalize(0.0, 1.0)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description="Draws the maps of a run beside the true outlines.")
+    parser.add_argument("--scenario", required=True, help="scenario file (YAML)")
+    parser.add_argument("--maps", required=True, help="directory of world.ot and object.ot")
+    parser.add_argument("--output", help="picture to write (default: DIR/maps.png)")
+    parser.add_argument("--path", help="JSON file whose 'path' lists poses [x, y, z, ...] to draw")
+    parser.add_argument("--title", help="first line above the picture")
+    return parser.parse_args()
+
+
+def read_path(file):
+    """Positions (n, 3) [m] of the poses of a run's last path; none without a file."""
+    if file is None:
+        return np.zeros((0, 3))
+    poses = json.loads(pathlib.Path(file).read_text()).get("path", [])
+    return np.array([pose[:3] for pose in poses], dtype=float).reshape(-1, 3)
+
+
+class Panel:
+    """One map in one view."""
+
+    def __init__(self, axes, view, colors, depth):
+        self.axes = axes
+        self.view = view
+        self.colors = colors
+        self.depth = depth
+        axes.set_facecolor(UNKNOWN)
+        axes.set_aspect("equal")
+        axes.set_xlabel(f"{view.labels[0]} [m]")
+        axes.set_ylabel(f"{view.labels[1]} [m]")
+
+    def voxels(self, octree):
+        centers, sizes, probabilities, voxel_size = octree
+        seen = self.view.project(centers)
+        if self.depth is not None:
+            reach = (SLICE_HALF_VOXELS + 0.5) * voxel_size + sizes / 2.0
+            near = np.abs(seen[:, 2] - self.depth) < reach
+            seen, sizes, probabilities = seen[near], sizes[near], probabilities[near]
+        order = np.argsort(probabilities, kind="stable")
+        corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) / 2.0
+        squares = seen[order, None, :2] + corners * sizes[order, None, None]
+        drawn = PolyCollection(squares, cmap=self.colors, norm=NORM, linewidths=0.0, rasterized=True)
+        drawn.set_array(probabilities[order])
+        drawn.set_antialiased(False)
+        return self.axes.add_collection(drawn)
+
+    def outline(self, solids, color, style="-", width=1.8):
+        grid = outline_mask(solids, self.view, self.depth)
+        if grid is not None and grid[2].any():
+            self.axes.contour(*grid, levels=[0.5], colors=color, linestyles=style, linewidths=width)
+
+    def path(self, positions, start, goal):
+        if len(positions) > 1:
+            points = self.view.project(positions)[:, :2]
+            lines = LineCollection(
+                np.stack([points[:-1], points[1:]], axis=1), cmap=PATH_COLORS, linewidths=2.2, zorder=4
+            )
+            lines.set_array(np.linspace(0.0, 1.0, len(points) - 1))
+            self.axes.add_collection(lines)
+        for pose, marker in ((start, "o"), (goal, "*")):
+            right, up, _ = self.view.project(pose[:3, 3])
+            size = 45 if marker == "o" else 130
+            self.axes.scatter(
+                right, up, s=size, marker=marker, color="#8e24aa", edgecolors="white", zorder=5
+            )
+
+    def frame(self, points):
+        seen = self.view.project(points)[:, :2]
+        low, high = seen.min(axis=0) - MARGIN, seen.max(axis=0) + MARGIN
+        self.axes.set_xlim(low[0], high[0])
+        self.axes.set_ylim(low[1], high[1])
+
+
+def corners_of(solids):
+    return np.concatenate(solids).reshape(-1, 3) if solids else np.zeros((0, 3))
+
+
+def placed(solids, pose):
+    return [transform(pose, t.reshape(-1, 3)).reshape(-1, 3, 3) for t in solids]
+
+
+def plane_view(scene):
+    """View onto the plane of motion and its depth along the line of sight."""
+    rotation, position = scene.start[:3, :3], scene.start[:3, 3]
+    if abs(rotation[2, 2]) > 1.0 - 1e-9:
+        return TOP, position[2]
+    view = View(rotation[:, 0], rotation[:, 1], ("along plane", "across plane"))
+    return view, view.project(position)[2]
+
+
+def occupied(octree):
+    return octree[0][octree[2] >= 0.5]
+
+
+def world_points(scene, path):
+    """What the world's panels must show [m]."""
+    solids = scene.environment + placed(scene.object, scene.start)
+    ends = np.stack([scene.start[:3, 3], scene.goal[:3, 3]])
+    return np.concatenate([corners_of(solids), ends, path])
+
+
+def widths(points, view):
+    """Width over height of a panel that shows the points."""
+    seen = view.project(points)[:, :2]
+    size = np.ptp(seen, axis=0) + 2.0 * MARGIN
+    return size[0] / size[1]
+
+
+def world_panel(axes, scene, octree, path, view, depth):
+    panel = Panel(axes, view, WORLD_COLORS, depth)
+    drawn = panel.voxels(octree)
+    at_start = placed(scene.object, scene.start)
+    panel.outline(at_start, OBJECT_AT_START, ":", 1.3)
+    panel.outline(scene.environment, WORLD_OUTLINE)
+    panel.path(path, scene.start, scene.goal)
+    panel.frame(world_points(scene, path))
+    return drawn
+
+
+def object_panel(axes, scene, octree, view, depth):
+    panel = Panel(axes, view, OBJECT_COLORS, depth)
+    drawn = panel.voxels(octree)
+    panel.outline(scene.object, OBJECT_OUTLINE)
+    panel.frame(corners_of(scene.object))
+    return drawn
+
+
+def color_bar(figure, drawn, axes, label):
+    bar = figure.colorbar(drawn, ax=list(axes), shrink=0.8, pad=0.02, ticks=[0.0, 0.25, 0.5, 0.75, 1.0])
+    bar.set_label(label)
+
+
+def planar_axes(scene, path, view):
+    """Both maps side by side, equally high."""
+    ratios = [widths(world_points(scene, path), view), widths(corners_of(scene.object), TOP)]
+    return plt.subplots(
+        1, 2, figsize=(12.5, 5.6), squeeze=False, layout="constrained",
+        gridspec_kw={"width_ratios": ratios},
+    )
+
+
+def spatial_axes(scene, path, looks):
+    """A row of three views for each map."""
+    ratios = [widths(world_points(scene, path), view) for view, _ in looks]
+    return plt.subplots(
+        2, 3, figsize=(15.0, 9.0), layout="constrained", gridspec_kw={"width_ratios": ratios}
+    )
+
+
+def draw(scene, world, found, path):
+    """The figure: the world's panels first, then the object's."""
+    if scene.planar:
+        view, depth = plane_view(scene)
+        looks, object_looks = [(view, depth)], [(TOP, 0.0)]
+        figure, axes = planar_axes(scene, path, view)
+    else:
+        looks = object_looks = [(TOP, None), (FRONT, None), (SIDE, None)]
+        figure, axes = spatial_axes(scene, path, looks)
+    world_axes, object_axes = axes.reshape(2, -1)
+    for panel_axes, look in zip(world_axes, looks):
+        world_drawn = world_panel(panel_axes, scene, world, path, *look)
+    for panel_axes, look in zip(object_axes, object_looks):
+        object_drawn = object_panel(panel_axes, scene, found, *look)
+    world_axes[0].set_title(f"world map, {len(occupied(world))} occupied voxels", fontsize=11)
+    object_axes[0].set_title(f"object map, {len(occupied(found))} occupied voxels", fontsize=11)
+    color_bar(figure, world_drawn, world_axes, "probability of occupancy (world)")
+    color_bar(figure, object_drawn, object_axes, "probability of occupancy (object)")
+    legend(figure, len(path) > 1)
+    return figure
+
+
+def legend(figure, has_path):
+    entries = [
+        Line2D([], [], color=WORLD_OUTLINE, lw=1.8, label="true environment"),
+        Line2D([], [], color=OBJECT_OUTLINE, lw=1.8, label="true object"),
+        Line2D([], [], color=OBJECT_AT_START, ls=":", lw=1.3, label="at the start"),
+        Line2D([], [], color="w", marker="o", markerfacecolor="#8e24aa", ms=8, label="start"),
+        Line2D([], [], color="w", marker="*", markerfacecolor="#8e24aa", ms=14, label="goal"),
+        plt.Rectangle((0, 0), 1, 1, color=UNKNOWN, label="unknown"),
+    ]
+    if has_path:
+        entries.insert(3, Line2D([], [], color=PATH_COLORS(0.5), lw=2.2, label="last path"))
+    figure.legend(handles=entries, loc="lower center", ncols=len(entries), frameon=False)
+    # The legend's line of the figure, which the layout would give to the panels.
+    legend_height = 0.06 * 5.6 / figure.get_size_inches()[1]
+    figure.get_layout_engine().set(rect=(0.0, legend_height, 1.0, 1.0 - legend_height))
+
+
+def main():
+    options = arguments()
+    maps = pathlib.Path(options.maps)
+    output = pathlib.Path(options.output) if options.output else maps / "maps.png"
+    try:
+        scene = Scene(options.scenario)
+        world, found = read_octree(maps / "world.ot"), read_octree(maps / "object.ot")
+        figure = draw(scene, world, found, read_path(options.path))
+    except (OSError, OctreeFileError, KeyError, ValueError, yaml.YAMLError) as problem:
+        sys.exit(f"plot_maps: {problem}")
+    figure.suptitle(options.title or f"{scene.name}: what was learnt by touch", fontsize=13)
+    figure.savefig(output, dpi=160)
+    print(output)
+
+
+if __name__ == "__main__":
+    main()
