@@ -6,7 +6,6 @@
 #include <octomap/OcTree.h>
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace smore {
@@ -90,12 +89,11 @@ class FclCollisionChecker::Trees {
 };
 
 FclCollisionChecker::FclCollisionChecker(const octomap::OcTree& object,
-                                         const octomap::OcTree& world, std::set<VoxelPair> ignored)
-    : FclCollisionChecker(occupiedVoxels(object), occupiedVoxels(world), std::move(ignored)) {}
+                                         const octomap::OcTree& world)
+    : FclCollisionChecker(occupiedVoxels(object), occupiedVoxels(world)) {}
 
-FclCollisionChecker::FclCollisionChecker(const OccupiedVoxels& object, const OccupiedVoxels& world,
-                                         std::set<VoxelPair> ignored)
-    : overlap_(object, world), ignored_(std::move(ignored)) {
+FclCollisionChecker::FclCollisionChecker(const OccupiedVoxels& object, const OccupiedVoxels& world)
+    : overlap_(object, world) {
   // An empty tree would make FCL walk all of the other one.
   if (object.keys.empty() || world.keys.empty()) return;
   trees_ = std::make_unique<Trees>(object, world);
@@ -111,8 +109,6 @@ double FclCollisionChecker::clearance(const Pose& T_world_object, double enough)
   const double by_field = overlap_.fieldClearance(T_world_object, enough);
   if (by_field > 0.0 || !trees_) return by_field;
   if (!trees_->collide(T_world_object)) return 0.0;
-  // FCL does not know which pairs to ignore.
-  if (!ignored_.empty()) return overlap_.clearance(T_world_object, 0.0, ignored_);
   return -kTouchingShare * voxelSize();
 }
 

@@ -2,9 +2,9 @@
 #include "smore/planning/map_planner.h"
 
 #include <stdexcept>
-#include <utility>
 
 #include "smore/planning/fcl_collision_checker.h"
+#include "smore/planning/free_pose_voxels.h"
 #include "smore/planning/grid_collision_checker.h"
 
 namespace smore {
@@ -32,13 +32,11 @@ Result<Plan> MapPlanner::plan(const Pose& start, const Pose& goal) {
 }
 
 std::unique_ptr<CollisionChecker> MapPlanner::makeChecker(const Pose& known_free) const {
-  const OccupiedVoxels object = occupiedVoxels(map_.object());
-  const OccupiedVoxels world = occupiedVoxels(map_.world());
-  std::set<VoxelPair> ignored = VoxelOverlap(object, world).pairs(known_free);
+  const TwinVoxels voxels = voxelsGivenFree(map_.object(), map_.world(), known_free);
   if (parameters_.backend == CollisionBackend::kGrid) {
-    return std::make_unique<GridCollisionChecker>(object, world, std::move(ignored));
+    return std::make_unique<GridCollisionChecker>(voxels.object, voxels.world);
   }
-  return std::make_unique<FclCollisionChecker>(object, world, std::move(ignored));
+  return std::make_unique<FclCollisionChecker>(voxels.object, voxels.world);
 }
 
 }  // namespace smore

@@ -25,6 +25,9 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
+// Poses nearer than this [m + rad] are one pose but for rounding.
+constexpr double kSamePose = 1e-9;
+
 void silenceOmpl() {
   static std::once_flag silenced;
   std::call_once(silenced, [] { ompl::msg::noOutputHandler(); });
@@ -158,9 +161,9 @@ class Search {
   ob::PlannerPtr planner_;
 };
 
-std::string describe(const Pose& pose) {
+std::string describe(const Vec3& point) {
   std::ostringstream text;
-  text << "(" << pose.translation().transpose() << ")";
+  text << "(" << point.x() << " " << point.y() << " " << point.z() << ")";
   return text.str();
 }
 
@@ -168,18 +171,18 @@ std::string describe(const Pose& pose) {
 std::string refusal(const std::string& name, const Pose& pose, const MotionSpace& space,
                     const MotionStateSpace& states, const StateValidity& valid) {
   if (!isFinite(pose)) return "the " + name + " is not finite";
+  const std::string where = describe(pose.translation());
   if (!states.isInWorkspace(pose)) {
-    return "the " + name + " " + describe(pose) + " is outside of the workspace " +
-           describe(makePose(space.workspace.min)) + " to " +
-           describe(makePose(space.workspace.max));
+    return "the " + name + " " + where + " is outside of the workspace " +
+           describe(space.workspace.min) + " to " + describe(space.workspace.max);
   }
   MotionSpace unbounded = space;
   unbounded.workspace.min.setConstant(-std::numeric_limits<double>::infinity());
   unbounded.workspace.max.setConstant(std::numeric_limits<double>::infinity());
   if (!unbounded.contains(pose)) {
-    return "the " + name + " " + describe(pose) + " does not lie in the plane of motion";
+    return "the " + name + " " + where + " does not lie in the plane of motion";
   }
-  if (!valid(pose)) return "the " + name + " " + describe(pose) + " is in collision";
+  if (!valid(pose)) return "the " + name + " " + where + " is in collision";
   return "";
 }
 
@@ -214,6 +217,8 @@ Result<Path> PathPlanner::plan(const Pose& start, const Pose& goal, const StateV
     const std::string reason = refusal(name, pose, space_, states, valid);
     if (!reason.empty()) return Failure{reason};
   }
+  if (distanceBetween(start, goal) + angleBetween(start, goal) <= kSamePose)
+    return Path{start, goal};
   return Search(states, parameters_, seed_, valid, motion_valid).run(start, goal);
 }
 

@@ -38,11 +38,8 @@ double voxelSizeOf(const OccupiedVoxels& object, const OccupiedVoxels& world) {
 struct VoxelOverlap::Search {
   const Pose& T_world_object;
   CubeOverlap cubes;
-  double enough;
-  double touching;  ///< depth of overlap that does not count yet [m]
-  bool exact;       ///< decide near voxels by the separating axis theorem
-  const std::set<VoxelPair>* ignored;
-  std::set<VoxelPair>* found = nullptr;  ///< collects instead of stopping at the first
+  bool exact = true;                     ///< decide near voxels by the separating axis theorem
+  std::set<VoxelPair>* found = nullptr;  ///< collects overlaps instead of stopping at the first
 };
 
 VoxelOverlap::VoxelOverlap(const OccupiedVoxels& object, const OccupiedVoxels& world)
@@ -57,36 +54,25 @@ VoxelOverlap::VoxelOverlap(const OccupiedVoxels& object, const OccupiedVoxels& w
   }
 }
 
-double VoxelOverlap::clearance(const Pose& T_world_object, double enough,
-                               const std::set<VoxelPair>& ignored) const {
-  if (object_.nodes().empty() || world_.empty()) return kInfinity;
-  const Search search{T_world_object, CubeOverlap(T_world_object.linear(), voxelSize()),
-                      enough,         kTouchingShare * voxelSize(),
-                      true,           &ignored};
-  return settle(search, 0, enough);
+bool VoxelOverlap::isTrivial() const { return object_.nodes().empty() || world_.empty(); }
+
+double VoxelOverlap::clearance(const Pose& T_world_object, double enough) const {
+  if (isTrivial()) return kInfinity;
+  return settle({T_world_object, CubeOverlap(T_world_object.linear(), voxelSize())}, 0, enough);
 }
 
 double VoxelOverlap::fieldClearance(const Pose& T_world_object, double enough) const {
-  if (object_.nodes().empty() || world_.empty()) return kInfinity;
-  enough = std::max(enough, kTouchingShare * voxelSize());  // so that 0 always means "cannot tell"
-  const Search search{T_world_object, CubeOverlap(T_world_object.linear(), voxelSize()),
-                      enough,         0.0,
-                      false,          nullptr};
-  return settle(search, 0, enough);
+  if (isTrivial()) return kInfinity;
+  // Something positive, so that 0 always means "cannot tell".
+  const double least = std::max(enough, kTouchingShare * voxelSize());
+  return settle({T_world_object, CubeOverlap(T_world_object.linear(), voxelSize()), false}, 0,
+                least);
 }
 
 std::set<VoxelPair> VoxelOverlap::pairs(const Pose& T_world_object) const {
   std::set<VoxelPair> found;
-  if (object_.nodes().empty() || world_.empty()) return found;
-  const std::set<VoxelPair> none;
-  const Search search{T_world_object,
-                      CubeOverlap(T_world_object.linear(), voxelSize()),
-                      0.0,
-                      kTouchingShare * voxelSize(),
-                      true,
-                      &none,
-                      &found};
-  settle(search, 0, 0.0);
+  if (isTrivial()) return found;
+  settle({T_world_object, CubeOverlap(T_world_object.linear(), voxelSize()), true, &found}, 0, 0.0);
   return found;
 }
 
@@ -105,14 +91,12 @@ double VoxelOverlap::settle(const Search& search, std::uint32_t index, double be
   if (!search.exact) return 0.0;
   best = std::min(best, kNearShare * voxelSize());
   visitNear(search, center, best, [&](std::uint32_t world, double separation) {
-    if (separation >= -search.touching) {
+    if (separation >= -kTouchingShare * voxelSize()) {
       best = std::min(best, std::max(0.0, separation));
-    } else if (search.ignored->count({node.point, world}) == 0) {
-      if (search.found != nullptr) {
-        search.found->insert({node.point, world});
-      } else {
-        best = separation;
-      }
+    } else if (search.found != nullptr) {
+      search.found->insert({node.point, world});
+    } else {
+      best = separation;
     }
   });
   return best;

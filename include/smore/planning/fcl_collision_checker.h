@@ -22,10 +22,8 @@ class FclCollisionChecker : public CollisionChecker {
   /// Takes the leaves with P >= kOccupied (exactly that value included); others and inner nodes do
   /// not matter. Pairs in `ignored` (positions in `occupiedVoxels` of the trees) never collide.
   /// std::invalid_argument if the resolutions differ.
-  FclCollisionChecker(const octomap::OcTree& object, const octomap::OcTree& world,
-                      std::set<VoxelPair> ignored = {});
-  FclCollisionChecker(const OccupiedVoxels& object, const OccupiedVoxels& world,
-                      std::set<VoxelPair> ignored = {});
+  FclCollisionChecker(const octomap::OcTree& object, const octomap::OcTree& world);
+  FclCollisionChecker(const OccupiedVoxels& object, const OccupiedVoxels& world);
   ~FclCollisionChecker() override;
 
   bool inCollision(const Pose& T_world_object) const override;
@@ -37,7 +35,6 @@ class FclCollisionChecker : public CollisionChecker {
   class Trees;
 
   VoxelOverlap overlap_;
-  std::set<VoxelPair> ignored_;
   std::unique_ptr<Trees> trees_;  ///< null where one of the maps has no occupied voxel
 };
 

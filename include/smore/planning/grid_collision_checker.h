@@ -9,10 +9,8 @@ namespace smore {
 /// Exact checks by distance field and separating axes (voxel_overlap.h), without octrees.
 class GridCollisionChecker : public CollisionChecker {
  public:
-  /// Pairs in `ignored` (positions in the lists) never collide. std::invalid_argument if the voxel
-  /// sizes differ or are not positive.
-  GridCollisionChecker(const OccupiedVoxels& object, const OccupiedVoxels& world,
-                       std::set<VoxelPair> ignored = {});
+  /// std::invalid_argument if the voxel sizes differ or are not positive.
+  GridCollisionChecker(const OccupiedVoxels& object, const OccupiedVoxels& world);
 
   bool inCollision(const Pose& T_world_object) const override;
   double clearance(const Pose& T_world_object, double enough) const override;
@@ -21,7 +19,6 @@ class GridCollisionChecker : public CollisionChecker {
 
  private:
   VoxelOverlap overlap_;
-  std::set<VoxelPair> ignored_;
 };
 
 }  // namespace smore

@@ -25,9 +25,9 @@ struct MapPlannerParameters {
 /// The paper's planner: a pose is valid where no voxel with P >= 0.5 of one map overlaps one of the
 /// other (paper, III-C); unknown space is free.
 ///
-/// The maps may say that voxels overlap at the start, where the object in fact stands free: then
-/// the two voxels of such a pair are not both occupied. This is all that is known, so exactly these
-/// pairs are left out of this plan's checks; each of the voxels still counts against all others.
+/// The maps may say that voxels overlap at the start, where the object in fact stands free. Then
+/// the plan is made with the most probable voxels that allow it to stand there (voxelsGivenFree):
+/// the maps stay as they are, and the start is never the reason why there is no plan.
 class MapPlanner : public Planner {
  public:
   /// `map` must outlive the planner. Call i (from 0) draws its samples from `seed` + i.

@@ -24,9 +24,8 @@ class VoxelOverlap {
   /// std::invalid_argument if the voxel sizes differ or are not positive.
   VoxelOverlap(const OccupiedVoxels& object, const OccupiedVoxels& world);
 
-  /// As CollisionChecker::clearance. Pairs in `ignored` never count.
-  double clearance(const Pose& T_world_object, double enough,
-                   const std::set<VoxelPair>& ignored = {}) const;
+  /// As CollisionChecker::clearance.
+  double clearance(const Pose& T_world_object, double enough) const;
 
   /// As `clearance`, by the distance field alone: a lower bound, 0 where some voxels are too near
   /// for it to tell. Never negative.
@@ -44,6 +43,7 @@ class VoxelOverlap {
   struct Search;
   using PairVisitor = std::function<void(std::uint32_t world, double separation)>;
 
+  bool isTrivial() const;
   double settle(const Search& search, std::uint32_t node, double best) const;
   void visitNear(const Search& search, const Vec3& center, double gap,
                  const PairVisitor& visit) const;
