@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "smore/contact/contact_observation.h"
+#include "smore/retrieval/method.h"
+
+namespace smore {
+
+/// A part of a mapping's evidence log, as it came over the wire.
+struct EvidencePart {
+  std::uint64_t epoch = 0;
+  std::uint64_t first = 0;
+  std::vector<ContactObservation> observations;
+  std::uint64_t changes = 0;  ///< of the mapping's maps since its log began, with this part
+};
+
+/// Whether the object may be at a pose, and the probability that it touches there.
+struct PoseAssessment {
+  bool valid = false;
+  double risk = 0.0;  ///< in [0, 1]; for methods without risk 0 where valid, else 1
+};
+
+/// The same belief as in a mapping node, made from the same evidence, with a planner on it.
+class MethodReplica {
+ public:
+  MethodReplica(MethodKind kind, const Scenario& scenario, std::uint64_t seed);
+
+  /// What to ask the mapping for.
+  std::uint64_t epoch() const { return epoch_; }
+  std::uint64_t size() const { return size_; }
+
+  /// Takes a part that follows what is here; one of another epoch starts anew. False, and all is
+  /// forgotten, if the part does not fit or the maps do not change as often as the mapping's.
+  bool extend(const EvidencePart& part);
+
+  Result<Plan> plan(const Pose& start, const Pose& goal);
+
+  /// `known_free` is a pose where the object stands free: the start.
+  PoseAssessment assess(const Pose& T_world_object, const Pose& known_free) const;
+
+  /// Probability that the motion has touched when each pose of `path` is reached; zeros for methods
+  /// without risk.
+  std::vector<double> risksAlong(const Path& path) const;
+
+ private:
+  void restart(std::uint64_t epoch);
+
+  MethodKind kind_;
+  Scenario scenario_;
+  std::uint64_t seed_;
+  Method method_;
+  std::uint64_t epoch_ = 0;
+  std::uint64_t size_ = 0;
+  std::uint64_t first_revision_ = 0;  ///< of the maps before any evidence
+};
+
+}  // namespace smore

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+/// Names and queue sizes of everything that the nodes exchange, once. All names are relative, so
+/// that they can be remapped and put into a namespace; docs/ros_interface.md describes each.
+namespace smore::names {
+
+constexpr char kWrench[] = "wrench";
+constexpr char kWrenchCompensated[] = "wrench_compensated";
+constexpr char kContact[] = "contact";
+constexpr char kCommand[] = "command";
+constexpr char kJointStates[] = "joint_states";
+constexpr char kScene[] = "scene";
+constexpr char kClock[] = "/clock";
+constexpr char kTf[] = "/tf";
+constexpr char kTfStatic[] = "/tf_static";
+
+constexpr char kWorldMap[] = "world";
+constexpr char kObjectMap[] = "object";
+constexpr char kOctomapFull[] = "octomap_full";
+constexpr char kOctomapBinary[] = "octomap_binary";
+constexpr char kPointCloud[] = "octomap_point_cloud_centers";
+constexpr char kOccupiedCells[] = "occupied_cells_vis_array";
+constexpr char kContactLines[] = "contact_lines";
+
+constexpr char kTwinMaps[] = "twin_maps";
+constexpr char kResetMaps[] = "reset";
+constexpr char kSaveMaps[] = "save_maps";
+constexpr char kTare[] = "tare";             ///< in the listener's private namespace
+constexpr char kResetSimulator[] = "reset";  ///< in the simulator's private namespace
+
+constexpr char kPlanPath[] = "plan_path";
+constexpr char kCheckPose[] = "check_pose";
+constexpr char kPath[] = "path";
+constexpr char kPathMarkers[] = "path_risk";
+constexpr char kPlanTree[] = "plan_tree";
+
+constexpr char kRetrieve[] = "retrieve";
+constexpr char kStop[] = "stop";
+
+/// Sensor streams: 2 s at 500 Hz, so that a listener that is late for a moment loses nothing.
+constexpr std::uint32_t kStreamQueue = 1000;
+/// Observations on their way into the maps: none may be lost while a belief update runs.
+constexpr std::uint32_t kObservationQueue = 100000;
+/// Commands, maps, markers: the newest counts.
+constexpr std::uint32_t kLatestQueue = 1;
+
+}  // namespace smore::names

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <std_msgs/ColorRGBA.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+#include <vector>
+
+#include "smore/contact/line_of_action.h"
+#include "smore/ros/conversions.h"
+#include "smore/scenario/scenario.h"
+
+namespace smore {
+
+/// One marker for each shape of the true scene: the environment in the world frame, the object in
+/// the object frame, so that it moves with the hand. Stamped 0: valid at all times.
+visualization_msgs::MarkerArray sceneMarkers(const Scenario& scenario, const FrameNames& frames);
+
+/// The lines of action as one marker, each `half_length` [m] to either side of its point, in the
+/// object frame.
+visualization_msgs::MarkerArray lineMarkers(const std::vector<LineOfAction>& lines,
+                                            double half_length, const FrameNames& frames);
+
+/// The path as one line in the world frame, coloured at each pose by its entry in `risks` (as many
+/// as poses, each in [0, 1]): cyan for 0 to purple for 1.
+visualization_msgs::MarkerArray pathMarkers(const Path& path, const std::vector<double>& risks,
+                                            const std::string& frame);
+
+}  // namespace smore

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <octomap/octomap.h>
+#include <octomap_msgs/GetOctomap.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+
+#include <filesystem>
+
+#include "smore/mapping/octomap_export.h"
+#include "smore/retrieval/method.h"
+#include "smore/ros/map_conversions.h"
+#include "smore/ros/map_keeper.h"
+#include "smore/ros/names.h"
+#include "smore/ros/parameter_source.h"
+#include "smore/ros/scene_markers.h"
+
+namespace smore {
+namespace {
+
+constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
+constexpr int kServiceThreads = 3;      // two waiting calls and the publisher
+
+struct MappingParameters {
+  FrameNames frames;
+  MethodKind method = MethodKind::kSmore;
+  int seed = 1;
+  double publish_period = 0.5;           ///< wall time [s]
+  double display_min_probability = 0.3;  ///< of the cells shown, in (0, 1]
+  double line_half_length = 1.0;         ///< of the lines shown [m]
+};
+
+MappingParameters readParameters(ParameterReader* reader) {
+  MappingParameters parameters;
+  parameters.frames = readFrameNames(reader);
+  parameters.method = readMethod(reader);
+  reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
+  reader->number("publish_period", &parameters.publish_period, {0.01, 60.0});
+  reader->number("display_min_probability", &parameters.display_min_probability, {1e-6, 1.0});
+  reader->number("line_half_length", &parameters.line_half_length, {0.01, 100.0});
+  return parameters;
+}
+
+/// Free poses count in the maps and in the evidence from a tenth of a voxel on.
+EvidenceSpacing spacingFor(const Scenario& scenario) {
+  constexpr double kShare = 0.1;
+  EvidenceSpacing spacing;
+  spacing.distance = kShare * scenario.voxel_size;
+  return spacing;
+}
+
+/// Everything published of one of the two maps. Each topic sends a revision once, when somebody
+/// listens; what comes later finds the last one latched.
+class MapPublisher {
+ public:
+  MapPublisher(ros::NodeHandle node, const std::string& space, const std::string& frame,
+               const MapColors& colors, double min_probability)
+      : frame_(frame), colors_(colors), min_probability_(min_probability) {
+    ros::NodeHandle map_node(node, space);
+    map_node.setCallbackQueue(node.getCallbackQueue());
+    full_.open<octomap_msgs::Octomap>(&map_node, names::kOctomapFull);
+    binary_.open<octomap_msgs::Octomap>(&map_node, names::kOctomapBinary);
+    cloud_.open<sensor_msgs::PointCloud2>(&map_node, names::kPointCloud);
+    cells_.open<visualization_msgs::MarkerArray>(&map_node, names::kOccupiedCells);
+  }
+
+  bool isDue(std::uint64_t revision) const {
+    return full_.isDue(revision) || binary_.isDue(revision) || cloud_.isDue(revision) ||
+           cells_.isDue(revision);
+  }
+
+  void publish(const VoxelGrid& grid, std::uint64_t revision, const ros::Time& stamp) {
+    const std_msgs::Header header = headerAt(stamp);
+    full_.send(revision, [&] { return fullOctomap(grid, header); });
+    binary_.send(revision, [&] { return binaryOctomap(grid, header); });
+    cloud_.send(revision, [&] { return occupiedCloud(grid, header); });
+    cells_.send(revision, [&] { return cellMarkers(grid, colors_, min_probability_, header); });
+  }
+
+  std_msgs::Header headerAt(const ros::Time& stamp) const {
+    std_msgs::Header header;
+    header.stamp = stamp;
+    header.frame_id = frame_;
+    return header;
+  }
+
+ private:
+  class Topic {
+   public:
+    template <typename Message>
+    void open(ros::NodeHandle* node, const char* name) {
+      publisher_ = node->advertise<Message>(name, names::kLatestQueue, true);
+    }
+    bool isDue(std::uint64_t revision) const {
+      return sent_ != revision + 1 && publisher_.getNumSubscribers() > 0;
+    }
+    template <typename Make>
+    void send(std::uint64_t revision, Make make) {
+      if (!isDue(revision)) return;
+      publisher_.publish(make());
+      sent_ = revision + 1;
+    }
+
+   private:
+    ros::Publisher publisher_;
+    std::uint64_t sent_ = 0;  ///< revision last sent plus one; 0: none
+  };
+
+  std::string frame_;
+  MapColors colors_;
+  double min_probability_;
+  Topic full_, binary_, cloud_, cells_;
+};
+
+ros::Time timeOf(double stamp) {
+  ros::Time time;
+  return time.fromSec(stamp);
+}
+
+/// Observations come in on the main thread and are handed to the keeper; services and publishing
+/// have threads of their own, since they wait for it.
+class MappingNode {
+ public:
+  MappingNode(const MappingParameters& parameters, const Scenario& scenario)
+      : parameters_(parameters),
+        keeper_(makeTwinMap(parameters.method, scenario, parameters.seed), spacingFor(scenario)),
+        service_node_(makeServiceNode()),
+        world_(service_node_, names::kWorldMap, parameters.frames.world,
+               {Vec3::Zero(), Vec3::Ones()}, parameters.display_min_probability),
+        object_(service_node_, names::kObjectMap, parameters.frames.object,
+                {Vec3::UnitY(), Vec3::UnitX()}, parameters.display_min_probability) {
+    contact_ = node_.subscribe(names::kContact, names::kObservationQueue, &MappingNode::onContact,
+                               this, ros::TransportHints().tcpNoDelay());
+    lines_ = service_node_.advertise<visualization_msgs::MarkerArray>(names::kContactLines,
+                                                                      names::kLatestQueue, true);
+    offerServices();
+    timer_ = service_node_.createWallTimer(ros::WallDuration(parameters.publish_period),
+                                           &MappingNode::onTimer, this);
+  }
+
+  void run() {
+    ros::AsyncSpinner services(kServiceThreads, &service_queue_);
+    services.start();
+    ros::spin();
+  }
+
+ private:
+  using Octomap = octomap_msgs::GetOctomap;
+  using MakeOctomap = octomap_msgs::Octomap (*)(const VoxelGrid&, const std_msgs::Header&);
+
+  ros::NodeHandle makeServiceNode() {
+    ros::NodeHandle node;
+    node.setCallbackQueue(&service_queue_);
+    return node;
+  }
+
+  void offerServices() {
+    servers_ = {
+        service_node_.advertiseService(names::kTwinMaps, &MappingNode::onTwinMaps, this),
+        service_node_.advertiseService(names::kResetMaps, &MappingNode::onReset, this),
+        service_node_.advertiseService(names::kSaveMaps, &MappingNode::onSave, this),
+        offerOctomap(names::kWorldMap, names::kOctomapFull, &fullOctomap),
+        offerOctomap(names::kWorldMap, names::kOctomapBinary, &binaryOctomap),
+        offerOctomap(names::kObjectMap, names::kOctomapFull, &fullOctomap),
+        offerOctomap(names::kObjectMap, names::kOctomapBinary, &binaryOctomap),
+    };
+  }
+
+  ros::ServiceServer offerOctomap(const std::string& space, const std::string& name,
+                                  MakeOctomap make) {
+    const bool of_world = space == names::kWorldMap;
+    const boost::function<bool(Octomap::Request&, Octomap::Response&)> reply =
+        [this, of_world, make](Octomap::Request& /*request*/, Octomap::Response& response) {
+          keeper_.access([&](const MapState& state) {
+            const VoxelGrid& grid = of_world ? state.maps->world() : state.maps->object();
+            response.map = make(grid, (of_world ? world_ : object_).headerAt(timeOf(state.stamp)));
+          });
+          return true;
+        };
+    return service_node_.advertiseService(space + "/" + name, reply);
+  }
+
+  void onContact(const smore_msgs::ContactObservation& message) {
+    const Result<ContactObservation> observation = fromMessage(message);
+    if (!observation) {
+      ROS_ERROR_STREAM_THROTTLE(kWarningPeriod, "observation left out: " << observation.reason());
+      return;
+    }
+    if (message.header.frame_id != parameters_.frames.object ||
+        message.world_frame != parameters_.frames.world) {
+      ROS_ERROR_STREAM_THROTTLE(kWarningPeriod,
+                                "observation left out: it is given in the frames '"
+                                    << message.world_frame << "' and '" << message.header.frame_id
+                                    << "'; give the listener and the mapping the same frames");
+      return;
+    }
+    keeper_.push(*observation);
+  }
+
+  bool onTwinMaps(smore_msgs::TwinMaps::Request& request,
+                  smore_msgs::TwinMaps::Response& response) {
+    if (!keeper_.waitFor(request.not_before.toSec(), request.timeout.toSec())) {
+      response.message =
+          "the maps do not hold the observations up to the time asked for; check that contact "
+          "observations arrive";
+      return true;
+    }
+    keeper_.access([&](const MapState& state) { fill(request, state, &response); });
+    response.success = true;
+    return true;
+  }
+
+  void fill(const smore_msgs::TwinMaps::Request& request, const MapState& state,
+            smore_msgs::TwinMaps::Response* response) const {
+    response->revision = state.maps->revision();
+    response->stamp = timeOf(state.stamp);
+    if (request.with_octrees) {
+      response->world = fullOctomap(state.maps->world(), world_.headerAt(response->stamp));
+      response->object = fullOctomap(state.maps->object(), object_.headerAt(response->stamp));
+    }
+    if (!request.with_evidence) return;
+    const bool same_epoch = request.epoch == state.log.epoch();
+    response->evidence.epoch = state.log.epoch();
+    response->evidence.changes = changesOf(state);
+    response->evidence.first = same_epoch ? request.evidence_from : 0;
+    for (const ContactObservation& entry : state.log.from(response->evidence.first)) {
+      response->evidence.observations.push_back(toMessage(entry, parameters_.frames));
+    }
+  }
+
+  bool onReset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
+    keeper_.reset();
+    response.success = true;
+    response.message = "the maps are empty";
+    return true;
+  }
+
+  bool onSave(smore_msgs::SaveMaps::Request& request, smore_msgs::SaveMaps::Response& response) {
+    const std::filesystem::path directory(request.directory);
+    response.message = "'" + request.directory + "' is not an absolute path; give one";
+    if (!directory.is_absolute()) return true;
+    std::error_code problem;
+    std::filesystem::create_directories(directory, problem);
+    response.success = !problem && saveMaps(directory);
+    response.message = response.success ? "wrote world.ot and object.ot into " + request.directory
+                                        : "cannot write into '" + request.directory +
+                                              "'; check that it is a directory that may be written";
+    return true;
+  }
+
+  bool saveMaps(const std::filesystem::path& directory) const {
+    std::unique_ptr<octomap::OcTree> world, object;
+    keeper_.access([&](const MapState& state) {
+      world = toOctree(state.maps->world());
+      object = toOctree(state.maps->object());
+    });
+    return world->write((directory / "world.ot").string()) &&
+           object->write((directory / "object.ot").string());
+  }
+
+  void onTimer(const ros::WallTimerEvent& /*event*/) {
+    std::optional<VoxelGrid> world, object;
+    std::vector<LineOfAction> lines;
+    std::uint64_t revision = 0;
+    ros::Time stamp;
+    keeper_.access([&](const MapState& state) {
+      revision = state.maps->revision();
+      stamp = timeOf(state.stamp);
+      lines = state.lines;
+      if (world_.isDue(revision)) world = state.maps->world();
+      if (object_.isDue(revision)) object = state.maps->object();
+    });
+    if (world) world_.publish(*world, revision, stamp);
+    if (object) object_.publish(*object, revision, stamp);
+    publishLines(lines);
+  }
+
+  void publishLines(const std::vector<LineOfAction>& lines) {
+    if (lines.size() == lines_sent_ || lines_.getNumSubscribers() == 0) return;
+    lines_.publish(lineMarkers(lines, parameters_.line_half_length, parameters_.frames));
+    lines_sent_ = lines.size();
+  }
+
+  MappingParameters parameters_;
+  MapKeeper keeper_;
+  ros::CallbackQueue service_queue_;
+  ros::NodeHandle node_;
+  ros::NodeHandle service_node_;
+  MapPublisher world_, object_;
+  ros::Publisher lines_;
+  ros::Subscriber contact_;
+  std::vector<ros::ServiceServer> servers_;
+  ros::WallTimer timer_;
+  std::size_t lines_sent_ = 0;
+};
+
+void runMapping() {
+  ParameterReader reader(privateParameters(), ros::this_node::getName());
+  const MappingParameters parameters = readParameters(&reader);
+  const std::optional<Scenario> scenario = readScenarioParameter(&reader);
+  requireScenario(&reader);
+  reader.finish();
+  MappingNode(parameters, *scenario).run();
+}
+
+}  // namespace
+}  // namespace smore
+
+int main(int argc, char** argv) { return smore::runNode(argc, argv, "mapping", smore::runMapping); }

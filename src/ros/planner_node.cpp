@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <limits>
+
+#include "smore/ros/method_replica.h"
+#include "smore/ros/names.h"
+#include "smore/ros/parameter_source.h"
+#include "smore/ros/scene_markers.h"
+
+namespace smore {
+namespace {
+
+// Between the poses at which the drawn path changes its colour.
+constexpr double kColorDistance = 0.02;  // [m]
+constexpr double kColorAngle = 0.1;      // [rad]
+
+struct PlannerNodeParameters {
+  FrameNames frames;
+  MethodKind method = MethodKind::kSmore;
+  int seed = 1;
+  double maps_timeout = 30.0;  ///< wall time to wait for maps that are new enough [s]
+};
+
+PlannerNodeParameters readParameters(ParameterReader* reader) {
+  PlannerNodeParameters parameters;
+  parameters.frames = readFrameNames(reader);
+  parameters.method = readMethod(reader);
+  reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
+  reader->number("maps_timeout", &parameters.maps_timeout, {0.1, 3600.0});
+  return parameters;
+}
+
+Result<EvidencePart> evidencePart(const smore_msgs::TwinMaps::Response& message) {
+  EvidencePart part;
+  part.epoch = message.evidence.epoch;
+  part.first = message.evidence.first;
+  part.changes = message.evidence.changes;
+  for (const auto& entry : message.evidence.observations) {
+    const Result<ContactObservation> observation = fromMessage(entry);
+    if (!observation) return Failure{observation.reason()};
+    part.observations.push_back(*observation);
+  }
+  return part;
+}
+
+/// Plans on a replica of the mapping's belief that is brought up to date before each plan. One call
+/// at a time.
+class PlannerNode {
+ public:
+  PlannerNode(const PlannerNodeParameters& parameters, const Scenario& scenario)
+      : parameters_(parameters),
+        start_(scenario.start),
+        replica_(parameters.method, scenario, parameters.seed) {
+    maps_ = node_.serviceClient<smore_msgs::TwinMaps>(names::kTwinMaps);
+    path_ = node_.advertise<nav_msgs::Path>(names::kPath, names::kLatestQueue, true);
+    markers_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPathMarkers,
+                                                                names::kLatestQueue, true);
+    plan_ = node_.advertiseService(names::kPlanPath, &PlannerNode::onPlan, this);
+    check_ = node_.advertiseService(names::kCheckPose, &PlannerNode::onCheck, this);
+  }
+
+ private:
+  /// Brings the replica up to date; the reason where that fails, else empty.
+  std::string synchronise(const ros::Time& not_before) {
+    constexpr int kAttempts = 2;  // the second one with all evidence
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      smore_msgs::TwinMaps call;
+      call.request.not_before = not_before;
+      call.request.timeout = ros::Duration(parameters_.maps_timeout);
+      call.request.with_evidence = static_cast<unsigned char>(true);
+      call.request.epoch = replica_.epoch();
+      call.request.evidence_from = replica_.size();
+      if (!maps_.call(call)) {
+        return "the service '" + maps_.getService() + "' does not answer; is the mapping node up?";
+      }
+      if (!call.response.success) return call.response.message;
+      const Result<EvidencePart> part = evidencePart(call.response);
+      if (!part) return part.reason();
+      revision_ = call.response.revision;
+      stamp_ = call.response.stamp;
+      if (replica_.extend(*part)) return "";
+    }
+    return "the planner's maps differ from the mapping's; give both nodes the same scenario, "
+           "method "
+           "and seed";
+  }
+
+  bool onPlan(smore_msgs::PlanPath::Request& request, smore_msgs::PlanPath::Response& response) {
+    response.message = plan(request, &response);
+    response.success = static_cast<unsigned char>(response.message.empty());
+    return true;
+  }
+
+  std::string plan(const smore_msgs::PlanPath::Request& request,
+                   smore_msgs::PlanPath::Response* response) {
+    const Result<Pose> start = fromMessage(request.start, parameters_.frames.world);
+    if (!start) return "start: " + start.reason();
+    const Result<Pose> goal = fromMessage(request.goal, parameters_.frames.world);
+    if (!goal) return "goal: " + goal.reason();
+    const std::string problem = synchronise(request.not_before);
+    if (!problem.empty()) return problem;
+
+    const ros::WallTime begin = ros::WallTime::now();
+    const Result<Plan> plan = replica_.plan(*start, *goal);
+    if (!plan) return plan.reason();
+    ROS_INFO("path of %.2f m at risk %.2f planned in %.2f s", pathLength(plan->path), plan->risk,
+             (ros::WallTime::now() - begin).toSec());
+    response->path = toMessage(plan->path, parameters_.frames.world, stamp_.toSec());
+    response->risk = plan->risk;
+    response->revision = revision_;
+    show(*plan, response->path);
+    return "";
+  }
+
+  void show(const Plan& plan, const nav_msgs::Path& message) {
+    path_.publish(message);
+    const Path dense = densify(plan.path, kColorDistance, kColorAngle);
+    markers_.publish(pathMarkers(dense, replica_.risksAlong(dense), parameters_.frames.world));
+  }
+
+  bool onCheck(smore_msgs::CheckPose::Request& request, smore_msgs::CheckPose::Response& response) {
+    const Result<Pose> pose = fromMessage(request.pose, parameters_.frames.world);
+    response.message = pose ? synchronise(ros::Time()) : pose.reason();
+    response.success = static_cast<unsigned char>(response.message.empty());
+    if (!response.message.empty()) return true;
+    const PoseAssessment assessment = replica_.assess(*pose, start_);
+    response.valid = static_cast<unsigned char>(assessment.valid);
+    response.risk = assessment.risk;
+    return true;
+  }
+
+  PlannerNodeParameters parameters_;
+  Pose start_;
+  MethodReplica replica_;
+  std::uint64_t revision_ = 0;
+  ros::Time stamp_;
+  ros::NodeHandle node_;
+  ros::ServiceClient maps_;
+  ros::Publisher path_, markers_;
+  ros::ServiceServer plan_, check_;
+};
+
+void runPlanner() {
+  ParameterReader reader(privateParameters(), ros::this_node::getName());
+  const PlannerNodeParameters parameters = readParameters(&reader);
+  const std::optional<Scenario> scenario = readScenarioParameter(&reader);
+  requireScenario(&reader);
+  reader.finish();
+  const PlannerNode node(parameters, *scenario);
+  ros::spin();
+}
+
+}  // namespace
+}  // namespace smore
+
+int main(int argc, char** argv) { return smore::runNode(argc, argv, "planner", smore::runPlanner); }

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <actionlib/client/simple_action_client.h>
+#include <actionlib/server/simple_action_server.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+
+#include <filesystem>
+#include <limits>
+#include <memory>
+
+#include "smore/retrieval/reconstruction.h"
+#include "smore/retrieval/retrieval.h"
+#include "smore/ros/names.h"
+#include "smore/ros/parameter_source.h"
+#include "smore/ros/retrieval_summary.h"
+#include "smore/ros/ros_robot.h"
+
+namespace smore {
+namespace {
+
+struct RetrievalNodeParameters {
+  FrameNames frames;
+  MethodKind method = MethodKind::kSmore;  ///< for the summary; the planner decides
+  RosRobotParameters robot;
+  int max_collisions = 2000;
+  double retreat_distance = 0.05;  ///< [m + rad]
+  int seed = 1;                    ///< of the touches of a reconstruction
+  bool auto_start = false;
+  std::string output;  ///< directory for maps and summary; empty: none
+};
+
+RetrievalNodeParameters readParameters(ParameterReader* reader) {
+  RetrievalNodeParameters parameters;
+  parameters.frames = readFrameNames(reader);
+  parameters.method = readMethod(reader);
+  reader->number("silence_timeout", &parameters.robot.silence_timeout, {0.01, 3600.0});
+  reader->number("ready_timeout", &parameters.robot.ready_timeout, {0.1, 3600.0});
+  if (reader->has("reset_service")) reader->text("reset_service", &parameters.robot.reset_service);
+  reader->integer("max_collisions", &parameters.max_collisions, 1, 1000000);
+  reader->number("retreat_distance", &parameters.retreat_distance, {1e-3, 10.0});
+  reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
+  reader->boolean("auto_start", &parameters.auto_start);
+  if (reader->has("output")) reader->text("output", &parameters.output);
+  if (!parameters.output.empty() && !std::filesystem::path(parameters.output).is_absolute()) {
+    reader->error("output", "'" + parameters.output + "' is not an absolute path; give one");
+  }
+  return parameters;
+}
+
+/// The planner node, asked for paths on maps that hold everything that the robot has felt.
+class RosPlanner : public Planner {
+ public:
+  RosPlanner(const std::string& world_frame, const RosRobot* robot)
+      : world_frame_(world_frame), robot_(robot) {
+    client_ = node_.serviceClient<smore_msgs::PlanPath>(names::kPlanPath);
+  }
+
+  bool waitUntilReady(double timeout) { return client_.waitForExistence(ros::Duration(timeout)); }
+
+  Result<Plan> plan(const Pose& start, const Pose& goal) override {
+    smore_msgs::PlanPath call;
+    call.request.start = stamped(start);
+    call.request.goal = stamped(goal);
+    call.request.not_before.fromSec(robot_->stamp());
+    if (!client_.call(call)) {
+      return Failure{"the service '" + client_.getService() +
+                     "' does not answer; is the planner node up?"};
+    }
+    if (call.response.success == 0) return Failure{call.response.message};
+    const Result<Path> path = fromMessage(call.response.path);
+    if (!path) return Failure{path.reason()};
+    return Plan{*path, call.response.risk};
+  }
+
+ private:
+  geometry_msgs::PoseStamped stamped(const Pose& pose) const {
+    geometry_msgs::PoseStamped message;
+    message.header.frame_id = world_frame_;
+    message.pose = toMessage(pose);
+    return message;
+  }
+
+  std::string world_frame_;
+  const RosRobot* robot_;
+  ros::NodeHandle node_;
+  ros::ServiceClient client_;
+};
+
+/// Offers the retrieval loop as an action. The loop runs in the action's thread.
+class RetrievalNode {
+ public:
+  RetrievalNode(const RetrievalNodeParameters& parameters, const Scenario& scenario)
+      : parameters_(parameters),
+        scenario_(scenario),
+        robot_(parameters.robot),
+        planner_(parameters.frames.world, &robot_),
+        server_(
+            node_, names::kRetrieve, [this](const auto& goal) { execute(*goal); }, false) {
+    maps_ = node_.serviceClient<smore_msgs::SaveMaps>(names::kSaveMaps);
+    stop_ = node_.advertiseService(names::kStop, &RetrievalNode::onStop, this);
+    server_.registerPreemptCallback([this] { stopMotion(); });
+    server_.start();
+  }
+
+  /// One retrieval to the scenario's goal; whether it succeeded.
+  bool runOnce() {
+    constexpr bool kOwnThread = true;
+    actionlib::SimpleActionClient<smore_msgs::RetrieveAction> client(node_, names::kRetrieve,
+                                                                     kOwnThread);
+    client.waitForServer();
+    client.sendGoal(smore_msgs::RetrieveGoal());
+    client.waitForResult();
+    return ros::ok() && client.getResult()->success != 0;
+  }
+
+ private:
+  using Server = actionlib::SimpleActionServer<smore_msgs::RetrieveAction>;
+
+  bool onStop(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
+    stopMotion();
+    response.success = static_cast<unsigned char>(true);
+    response.message = "the robot was told to stop";
+    return true;
+  }
+
+  void stopMotion() {
+    robot_.requestStop();
+    stop_requested_ = true;
+  }
+
+  void execute(const smore_msgs::RetrieveGoal& goal) {
+    stop_requested_ = false;
+    robot_.clearStop();
+    const ros::WallTime begin = ros::WallTime::now();
+    RetrievalOutcome outcome = attempt(goal);
+    RetrievalSummary summary;
+    summary.scenario = scenario_.name;
+    summary.method = methodName(parameters_.method);
+    summary.wall_s = (ros::WallTime::now() - begin).toSec();
+    summary.outcome = outcome;
+    report(summary);
+    finish(outcome);
+  }
+
+  RetrievalOutcome attempt(const smore_msgs::RetrieveGoal& goal) {
+    RetrievalParameters parameters = retrievalParameters(scenario_);
+    parameters.max_collisions = goal.max_collisions > 0 ? static_cast<int>(goal.max_collisions)
+                                                        : parameters_.max_collisions;
+    parameters.retreat_distance = parameters_.retreat_distance;
+    RetrievalOutcome outcome;
+    if (!goal.goal.header.frame_id.empty()) {
+      const Result<Pose> pose = fromMessage(goal.goal, parameters_.frames.world);
+      if (!pose) outcome.reason = "goal: " + pose.reason();
+      if (!pose) return outcome;
+      parameters.goal = *pose;
+    }
+    outcome.reason = waitUntilReady();
+    if (!outcome.reason.empty()) return outcome;
+    return scenario_.task == Task::kReconstruct ? touch() : retrieve(parameters);
+  }
+
+  std::string waitUntilReady() {
+    ROS_INFO("waiting for sensor, maps and planner");
+    const std::string problem = robot_.waitUntilReady();
+    if (!problem.empty()) return problem;
+    return planner_.waitUntilReady(parameters_.robot.ready_timeout)
+               ? ""
+               : "the planner's service does not appear; is the planner node up?";
+  }
+
+  RetrievalOutcome retrieve(const RetrievalParameters& parameters) {
+    Retrieval retrieval(parameters, &robot_, &planner_, [this, &retrieval](const auto& progress) {
+      show(progress);
+      if (stop_requested_) retrieval.requestStop();
+    });
+    return retrieval.run();
+  }
+
+  RetrievalOutcome touch() {
+    RandomTouches touches(scenario_.motionSpace(), parameters_.seed);
+    ReconstructionParameters parameters = reconstructionParameters(scenario_);
+    parameters.retreat_distance = parameters_.retreat_distance;
+    return reconstruct(
+        parameters, &robot_, &touches, [this](const auto& progress) { show(progress); },
+        [this] { return stop_requested_.load(); });
+  }
+
+  void show(const RetrievalProgress& progress) {
+    ROS_INFO("%s: %d contacts, %d plans, risk %.2f", phaseName(progress.phase), progress.collisions,
+             progress.plans, progress.risk);
+    smore_msgs::RetrieveFeedback feedback;
+    feedback.phase = phaseName(progress.phase);
+    feedback.collisions = progress.collisions;
+    feedback.plans = progress.plans;
+    feedback.risk = progress.risk;
+    server_.publishFeedback(feedback);
+  }
+
+  void report(const RetrievalSummary& summary) {
+    ROS_INFO_STREAM("\n" << toText(summary));
+    if (parameters_.output.empty()) return;
+    smore_msgs::SaveMaps call;
+    call.request.directory = parameters_.output;
+    if (!maps_.call(call)) call.response.message = "the mapping node does not answer";
+    if (call.response.success == 0) ROS_ERROR_STREAM("maps not saved: " << call.response.message);
+    const std::string file = parameters_.output + "/summary.json";
+    if (!writeJson(summary, file)) ROS_ERROR_STREAM(file << ": cannot be written");
+  }
+
+  void finish(const RetrievalOutcome& outcome) {
+    smore_msgs::RetrieveResult result;
+    result.success = static_cast<unsigned char>(outcome.success);
+    result.message = outcome.reason;
+    result.collisions = outcome.collisions;
+    result.plans = outcome.plans;
+    result.path_length = outcome.path_length;
+    if (outcome.success) {
+      server_.setSucceeded(result, outcome.reason);
+    } else if (server_.isPreemptRequested()) {
+      server_.setPreempted(result, outcome.reason);
+    } else {
+      server_.setAborted(result, outcome.reason);
+    }
+  }
+
+  RetrievalNodeParameters parameters_;
+  Scenario scenario_;
+  ros::NodeHandle node_;
+  RosRobot robot_;
+  RosPlanner planner_;
+  ros::ServiceClient maps_;
+  ros::ServiceServer stop_;
+  std::atomic<bool> stop_requested_{false};
+  Server server_;
+};
+
+void runRetrieval() {
+  ParameterReader reader(privateParameters(), ros::this_node::getName());
+  RetrievalNodeParameters parameters = readParameters(&reader);
+  const std::optional<Scenario> scenario = readScenarioParameter(&reader);
+  requireScenario(&reader);
+  reader.finish();
+  parameters.robot.linear_speed = scenario->linear_speed;
+  parameters.robot.angular_speed = scenario->angular_speed;
+
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  RetrievalNode node(parameters, *scenario);
+  if (!parameters.auto_start) {
+    ros::waitForShutdown();
+  } else if (!node.runOnce()) {
+    throw std::runtime_error("the retrieval did not succeed");
+  }
+}
+
+}  // namespace
+}  // namespace smore
+
+int main(int argc, char** argv) {
+  return smore::runNode(argc, argv, "retrieval", smore::runRetrieval);
+}

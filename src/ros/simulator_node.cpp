@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <geometry_msgs/WrenchStamped.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/JointState.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "smore/ros/names.h"
+#include "smore/ros/parameter_source.h"
+#include "smore/ros/scene_markers.h"
+#include "smore/simulation/simulated_robot.h"
+
+namespace smore {
+namespace {
+
+// Half a period of the 500 Hz sensor: stamps are compared to this.
+constexpr double kHalfSample = 0.001;
+
+struct SimulatorParameters {
+  FrameNames frames;
+  int seed = 1;
+  double real_time_factor = 0.0;       ///< while moving; 0: as fast as the listener follows
+  double rest_real_time_factor = 1.0;  ///< while at rest
+  int lag_samples = 2;                 ///< samples that may run ahead of the listener
+  double listener_timeout = 1.0;       ///< wall time to wait for it [s]
+  double clock_period = 0.01;          ///< simulated time between clock messages [s]
+};
+
+SimulatorParameters readParameters(ParameterReader* reader) {
+  SimulatorParameters parameters;
+  parameters.frames = readFrameNames(reader);
+  reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
+  reader->number("real_time_factor", &parameters.real_time_factor, {0.0, 1000.0});
+  reader->number("rest_real_time_factor", &parameters.rest_real_time_factor, {0.01, 1000.0});
+  reader->integer("lag_samples", &parameters.lag_samples, 0, 100);
+  reader->number("listener_timeout", &parameters.listener_timeout, {0.01, 60.0});
+  reader->number("clock_period", &parameters.clock_period, {0.002, 1.0});
+  return parameters;
+}
+
+/// Steps the simulated robot in lock-step with the listener, in one thread: commands, observations
+/// and services are handled between two samples.
+class SimulatorNode {
+ public:
+  SimulatorNode(const SimulatorParameters& parameters, const Scenario& scenario)
+      : parameters_(parameters),
+        robot_(makeSimulatedRobot(scenario, parameters.seed)),
+        start_(scenario.start) {
+    node_.setCallbackQueue(&queue_);
+    ros::NodeHandle private_node("~");
+    private_node.setCallbackQueue(&queue_);
+    if (robot_->jointNames() != cartesianJointNames()) {
+      throw InputError("the simulator follows commands of the Cartesian robot only");
+    }
+    advertise(&private_node, scenario);
+  }
+
+  void run() {
+    while (ros::ok()) {
+      queue_.callAvailable();
+      waitForListener();
+      waitForClock();
+      step();
+    }
+  }
+
+ private:
+  void advertise(ros::NodeHandle* private_node, const Scenario& scenario) {
+    wrench_ = node_.advertise<geometry_msgs::WrenchStamped>(names::kWrench, names::kStreamQueue);
+    joints_ = node_.advertise<sensor_msgs::JointState>(names::kJointStates, names::kStreamQueue);
+    tf_ = node_.advertise<tf2_msgs::TFMessage>(names::kTf, names::kStreamQueue);
+    clock_ = node_.advertise<rosgraph_msgs::Clock>(names::kClock, names::kStreamQueue);
+    scene_ =
+        node_.advertise<visualization_msgs::MarkerArray>(names::kScene, names::kLatestQueue, true);
+    scene_.publish(sceneMarkers(scenario, parameters_.frames));
+    const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
+    command_ = node_.subscribe(names::kCommand, names::kLatestQueue, &SimulatorNode::onCommand,
+                               this, hints);
+    contact_ = node_.subscribe(names::kContact, names::kStreamQueue, &SimulatorNode::onContact,
+                               this, hints);
+    reset_ = private_node->advertiseService(names::kResetSimulator, &SimulatorNode::onReset, this);
+  }
+
+  void onCommand(const trajectory_msgs::JointTrajectory& message) {
+    const Result<Path> path = fromTrajectory(message);
+    if (!path) {
+      ROS_ERROR_STREAM("command refused: " << path.reason());
+    } else if (path->empty()) {
+      robot_->stop();
+    } else {
+      robot_->follow(*path);
+    }
+  }
+
+  /// The robot's reflex: a new contact ends the motion, whatever the planner is doing.
+  void onContact(const smore_msgs::ContactObservation& message) {
+    acknowledged_ = std::max(acknowledged_, message.header.stamp.toSec());
+    if (!lock_step_) ROS_INFO("the listener follows: lock-step");
+    lock_step_ = true;
+    const bool touched = message.state == smore_msgs::ContactObservation::CONTACT;
+    if (touched && message.contact_id != last_contact_ && robot_->moving()) robot_->stop();
+    last_contact_ = message.contact_id;
+  }
+
+  bool onReset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
+    robot_->place(start_);
+    response.success = true;
+    response.message = "the object is at the start";
+    return true;
+  }
+
+  bool listenerIsBehind() const {
+    const double allowed = parameters_.lag_samples * 2.0 * kHalfSample + kHalfSample;
+    return published_ - acknowledged_ > allowed;
+  }
+
+  void waitForListener() {
+    const ros::WallTime deadline =
+        ros::WallTime::now() + ros::WallDuration(parameters_.listener_timeout);
+    while (ros::ok() && lock_step_ && listenerIsBehind()) {
+      const ros::WallDuration left = deadline - ros::WallTime::now();
+      if (left.toSec() <= 0.0) {
+        lock_step_ = false;
+        ROS_WARN_STREAM("no observation on '" << node_.resolveName(names::kContact) << "' for "
+                                              << parameters_.listener_timeout
+                                              << " s: going on at real time without contact "
+                                                 "reflex; is the force_torque node running?");
+        return;
+      }
+      queue_.callAvailable(left);
+    }
+  }
+
+  /// Simulated seconds per second of wall time; 0 for no limit.
+  double pace() const {
+    const double limit =
+        robot_->moving() ? parameters_.real_time_factor : parameters_.rest_real_time_factor;
+    if (lock_step_) return limit;
+    return limit > 0.0 ? std::min(limit, 1.0) : 1.0;
+  }
+
+  void waitForClock() {
+    const ros::WallTime now = ros::WallTime::now();
+    if (next_step_ < now - ros::WallDuration(kCatchUp)) next_step_ = now;
+    while (ros::ok() && pace() > 0.0) {
+      const ros::WallDuration left = next_step_ - ros::WallTime::now();
+      if (left.toSec() <= 0.0) break;
+      queue_.callAvailable(left);
+    }
+    if (pace() > 0.0) next_step_ += ros::WallDuration(2.0 * kHalfSample / pace());
+  }
+
+  void step() {
+    const WrenchSample sample = robot_->advance();
+    ros::Time stamp;
+    stamp.fromSec(sample.time);
+    publishTransform(sample, stamp);
+    publishClock(stamp);
+    publishJoints(stamp);
+    geometry_msgs::WrenchStamped wrench;
+    wrench.header.stamp = stamp;
+    wrench.header.frame_id = parameters_.frames.object;
+    wrench.wrench = toMessage(sample.wrench);
+    wrench_.publish(wrench);
+    published_ = stamp.toSec();
+  }
+
+  void publishTransform(const WrenchSample& sample, const ros::Time& stamp) {
+    tf2_msgs::TFMessage message;
+    message.transforms.resize(1);
+    message.transforms[0].header.stamp = stamp;
+    message.transforms[0].header.frame_id = parameters_.frames.world;
+    message.transforms[0].child_frame_id = parameters_.frames.object;
+    message.transforms[0].transform = toTransform(sample.T_world_object);
+    tf_.publish(message);
+  }
+
+  void publishClock(const ros::Time& stamp) {
+    if ((stamp - last_clock_).toSec() < parameters_.clock_period - kHalfSample) return;
+    last_clock_ = stamp;
+    rosgraph_msgs::Clock message;
+    message.clock = stamp;
+    clock_.publish(message);
+  }
+
+  void publishJoints(const ros::Time& stamp) {
+    if (joints_.getNumSubscribers() == 0) return;
+    sensor_msgs::JointState message;
+    message.header.stamp = stamp;
+    message.name = robot_->jointNames();
+    message.position = robot_->jointPositions();
+    joints_.publish(message);
+  }
+
+  static constexpr double kCatchUp = 0.1;  // [s]; what is lost beyond is not made good
+
+  SimulatorParameters parameters_;
+  std::unique_ptr<SimulatedRobot> robot_;
+  Pose start_;
+  ros::CallbackQueue queue_;
+  ros::NodeHandle node_;
+  ros::Publisher wrench_, joints_, tf_, clock_, scene_;
+  ros::Subscriber command_, contact_;
+  ros::ServiceServer reset_;
+  double published_ = 0.0;     ///< stamp of the last sample [s]
+  double acknowledged_ = 0.0;  ///< newest stamp among the listener's observations [s]
+  bool lock_step_ = true;
+  std::uint32_t last_contact_ = 0;
+  ros::WallTime next_step_;
+  ros::Time last_clock_;
+};
+
+void runSimulator() {
+  ParameterReader reader(privateParameters(), ros::this_node::getName());
+  const SimulatorParameters parameters = readParameters(&reader);
+  const std::optional<Scenario> scenario = readScenarioParameter(&reader);
+  requireScenario(&reader);
+  reader.finish();
+  SimulatorNode(parameters, perturbScenario(*scenario, parameters.seed)).run();
+}
+
+}  // namespace
+}  // namespace smore
+
+int main(int argc, char** argv) {
+  return smore::runNode(argc, argv, "simulator", smore::runSimulator);
+}

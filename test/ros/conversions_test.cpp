@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/ros/conversions.h"
+
+#include <gtest/gtest.h>
+#include <octomap_msgs/GetOctomap.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "smore/ros/map_conversions.h"
+#include "smore/ros/parameter_source.h"
+#include "smore/ros/scene_markers.h"
+
+namespace smore {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class RandomPoses {
+ public:
+  double number() { return std::uniform_real_distribution<double>(-2.0, 2.0)(random_); }
+  Vec3 vector() { return {number(), number(), number()}; }
+  Pose pose() { return makePose(vector(), 2.0 * vector()); }
+
+ private:
+  std::mt19937 random_{7};
+};
+
+ContactObservation observationWithLine(RandomPoses* random) {
+  ContactObservation observation;
+  observation.time = 12.346;
+  observation.T_world_object = random->pose();
+  observation.state = ContactState::kContact;
+  observation.contact_id = 5;
+  observation.line =
+      LineOfAction{random->vector(), random->vector().normalized(), 7.5, 0.01, 0.02, 0.003};
+  return observation;
+}
+
+TEST(Conversions, PosesComeBackFromMessagesAndTransforms) {
+  RandomPoses random;
+  for (int i = 0; i < 100; ++i) {
+    const Pose pose = random.pose();
+    const Result<Pose> from_message = fromMessage(toMessage(pose));
+    ASSERT_TRUE(from_message);
+    EXPECT_TRUE(from_message->isApprox(pose, 1e-12));
+    const Result<Pose> from_transform = fromTransform(toTransform(pose));
+    ASSERT_TRUE(from_transform);
+    EXPECT_TRUE(from_transform->isApprox(pose, 1e-12));
+  }
+}
+
+TEST(Conversions, PosesThatAreNoPosesAreRefused) {
+  for (const double bad : {kNan, kInfinity}) {
+    geometry_msgs::Pose message = toMessage(Pose::Identity());
+    message.position.y = bad;
+    EXPECT_FALSE(fromMessage(message));
+    message = toMessage(Pose::Identity());
+    message.orientation.z = bad;
+    EXPECT_FALSE(fromMessage(message));
+  }
+  EXPECT_FALSE(fromMessage(geometry_msgs::Pose())) << "a quaternion of zeros is no rotation";
+  geometry_msgs::Pose long_quaternion = toMessage(Pose::Identity());
+  long_quaternion.orientation.w = 1.1;
+  EXPECT_FALSE(fromMessage(long_quaternion));
+}
+
+TEST(Conversions, APoseInAnotherFrameIsRefusedByName) {
+  geometry_msgs::PoseStamped message;
+  message.header.frame_id = "base";
+  message.pose = toMessage(Pose::Identity());
+  const Result<Pose> pose = fromMessage(message, "world");
+  ASSERT_FALSE(pose);
+  EXPECT_NE(pose.reason().find("'base'"), std::string::npos);
+  EXPECT_NE(pose.reason().find("'world'"), std::string::npos);
+}
+
+TEST(Conversions, WrenchesComeBack) {
+  const Wrench wrench{{1.0, -2.0, 3.0}, {0.1, 0.2, -0.3}};
+  const Wrench back = fromMessage(toMessage(wrench));
+  EXPECT_EQ(back.force, wrench.force);
+  EXPECT_EQ(back.torque, wrench.torque);
+}
+
+TEST(Conversions, ObservationsComeBackWithAndWithoutLine) {
+  RandomPoses random;
+  ContactObservation observation = observationWithLine(&random);
+  for (const ContactState state :
+       {ContactState::kFree, ContactState::kUnsure, ContactState::kContact}) {
+    observation.state = state;
+    const auto message = toMessage(observation, {"world", "object"});
+    EXPECT_EQ(message.header.frame_id, "object");
+    EXPECT_EQ(message.world_frame, "world");
+    const Result<ContactObservation> back = fromMessage(message);
+    ASSERT_TRUE(back);
+    EXPECT_DOUBLE_EQ(back->time, observation.time);
+    EXPECT_EQ(back->state, state);
+    EXPECT_EQ(back->contact_id, observation.contact_id);
+    EXPECT_TRUE(back->T_world_object.isApprox(observation.T_world_object, 1e-12));
+    ASSERT_TRUE(back->line);
+    EXPECT_EQ(back->line->point, observation.line->point);
+    EXPECT_EQ(back->line->direction, observation.line->direction);
+    EXPECT_EQ(back->line->force, observation.line->force);
+    EXPECT_EQ(back->line->pitch, observation.line->pitch);
+    EXPECT_EQ(back->line->direction_stddev, observation.line->direction_stddev);
+    EXPECT_EQ(back->line->offset_stddev, observation.line->offset_stddev);
+  }
+  observation.line.reset();
+  EXPECT_FALSE(fromMessage(toMessage(observation, {}))->line);
+}
+
+TEST(Conversions, ObservationsThatCannotBeAreRefused) {
+  RandomPoses random;
+  const auto good = toMessage(observationWithLine(&random), {});
+  auto bad = good;
+  bad.state = 17;
+  EXPECT_FALSE(fromMessage(bad));
+  bad = good;
+  bad.line.direction.x = kNan;
+  EXPECT_FALSE(fromMessage(bad));
+  bad = good;
+  bad.line.direction.x += 1.0;
+  EXPECT_FALSE(fromMessage(bad));
+  bad = good;
+  bad.line.force = 0.0;
+  EXPECT_FALSE(fromMessage(bad));
+  bad = good;
+  bad.line.offset_stddev = -1.0;
+  EXPECT_FALSE(fromMessage(bad));
+  bad = good;
+  bad.pose.position.x = kInfinity;
+  EXPECT_FALSE(fromMessage(bad));
+}
+
+TEST(Conversions, TheObservationsTypeOnTheWireIsThePackages) {
+  EXPECT_STREQ(ros::message_traits::datatype<smore_msgs::ContactObservation>(),
+               "smore/ContactObservation");
+}
+
+TEST(Conversions, PathsComeBack) {
+  RandomPoses random;
+  const Path path = {random.pose(), random.pose(), random.pose()};
+  const nav_msgs::Path message = toMessage(path, "world", 3.5);
+  EXPECT_EQ(message.header.frame_id, "world");
+  const Result<Path> back = fromMessage(message);
+  ASSERT_TRUE(back);
+  ASSERT_EQ(back->size(), path.size());
+  for (size_t i = 0; i < path.size(); ++i) EXPECT_TRUE((*back)[i].isApprox(path[i], 1e-12));
+}
+
+TEST(Conversions, CartesianJointsAndPosesAreOne) {
+  RandomPoses random;
+  for (int i = 0; i < 200; ++i) {
+    const Pose pose = random.pose();
+    EXPECT_TRUE(fromCartesianJoints(toCartesianJoints(pose)).isApprox(pose, 1e-9));
+  }
+  for (const double pitch : {M_PI_2, -M_PI_2}) {
+    const Pose upright = makePose({1.0, 2.0, 3.0}, {0.4, pitch, -0.9});
+    EXPECT_TRUE(fromCartesianJoints(toCartesianJoints(upright)).isApprox(upright, 1e-6));
+  }
+}
+
+TEST(Conversions, TrajectoriesAreTimedBySpeedAndComeBackInAnyJointOrder) {
+  const Path path = {makePose({0, 0, 0}), makePose({0.2, 0, 0}),
+                     makePose({0.2, 0, 0}, {0, 0, 1.0})};
+  trajectory_msgs::JointTrajectory message = toTrajectory(path, 0.1, 0.5);
+  ASSERT_EQ(message.points.size(), 3U);
+  EXPECT_DOUBLE_EQ(message.points[0].time_from_start.toSec(), 0.0);
+  EXPECT_DOUBLE_EQ(message.points[1].time_from_start.toSec(), 2.0);
+  EXPECT_DOUBLE_EQ(message.points[2].time_from_start.toSec(), 4.0);
+  std::reverse(message.joint_names.begin(), message.joint_names.end());
+  for (auto& point : message.points) std::reverse(point.positions.begin(), point.positions.end());
+  const Result<Path> back = fromTrajectory(message);
+  ASSERT_TRUE(back);
+  for (size_t i = 0; i < path.size(); ++i) EXPECT_TRUE((*back)[i].isApprox(path[i], 1e-12));
+}
+
+TEST(Conversions, BadTrajectoriesAreRefusedAndEmptyOnesMeanStop) {
+  EXPECT_TRUE(fromTrajectory(trajectory_msgs::JointTrajectory())->empty());
+  const auto good = toTrajectory({Pose::Identity()}, 0.1, 0.5);
+  auto bad = good;
+  bad.joint_names[2] = "elbow";
+  EXPECT_FALSE(fromTrajectory(bad));
+  bad = good;
+  bad.joint_names[2] = "x";
+  EXPECT_FALSE(fromTrajectory(bad));
+  bad = good;
+  bad.joint_names.emplace_back("gripper");
+  EXPECT_FALSE(fromTrajectory(bad));
+  bad = good;
+  bad.points[0].positions.pop_back();
+  EXPECT_FALSE(fromTrajectory(bad));
+  bad = good;
+  bad.points[0].positions[1] = kNan;
+  EXPECT_FALSE(fromTrajectory(bad));
+}
+
+VoxelGrid sampleGrid() {
+  VoxelGrid grid(0.03);
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> key(-40, 40);
+  std::uniform_real_distribution<float> probability(0.005F, 0.995F);
+  for (int i = 0; i < 500; ++i) {
+    grid.set({static_cast<std::int16_t>(key(random)), static_cast<std::int16_t>(key(random)),
+              static_cast<std::int16_t>(key(random))},
+             probability(random));
+  }
+  grid.set({100, -100, 5}, 0.5F);
+  return grid;
+}
+
+std_msgs::Header headerOf(const std::string& frame) {
+  std_msgs::Header header;
+  header.frame_id = frame;
+  header.stamp.fromSec(4.5);
+  return header;
+}
+
+TEST(MapConversions, FullOctomapsKeepEveryVoxelAndItsProbability) {
+  const VoxelGrid grid = sampleGrid();
+  const octomap_msgs::Octomap message = fullOctomap(grid, headerOf("world"));
+  EXPECT_EQ(message.id, "OcTree");
+  EXPECT_EQ(message.binary, 0);
+  EXPECT_EQ(message.header.frame_id, "world");
+  const Result<VoxelGrid> back = fromMessage(message);
+  ASSERT_TRUE(back) << back.reason();
+  ASSERT_EQ(back->size(), grid.size());
+  for (const VoxelGrid::Voxel& voxel : grid.voxels()) {
+    ASSERT_TRUE(back->probability(voxel.key));
+    EXPECT_NEAR(*back->probability(voxel.key), voxel.probability, 1e-6);
+  }
+}
+
+TEST(MapConversions, EmptyMapsComeBackEmpty) {
+  const Result<VoxelGrid> back = fromMessage(fullOctomap(VoxelGrid(0.05), headerOf("object")));
+  ASSERT_TRUE(back);
+  EXPECT_TRUE(back->empty());
+  EXPECT_DOUBLE_EQ(back->voxelSize(), 0.05);
+}
+
+TEST(MapConversions, BrokenOctomapsAreRefused) {
+  const octomap_msgs::Octomap good = fullOctomap(sampleGrid(), headerOf("world"));
+  octomap_msgs::Octomap bad = good;
+  bad.binary = 1;
+  EXPECT_FALSE(fromMessage(bad));
+  bad = good;
+  bad.id = "ColorOcTree";
+  EXPECT_FALSE(fromMessage(bad));
+  bad = good;
+  bad.resolution = kNan;
+  EXPECT_FALSE(fromMessage(bad));
+  bad = good;
+  bad.data.resize(bad.data.size() / 2);
+  EXPECT_FALSE(fromMessage(bad));
+}
+
+TEST(MapConversions, TypesAndChecksumsAreThoseOfOctomapMsgs) {
+  EXPECT_STREQ(ros::message_traits::datatype<octomap_msgs::Octomap>(), "octomap_msgs/Octomap");
+  EXPECT_STREQ(ros::message_traits::md5sum<octomap_msgs::Octomap>(),
+               "9a45536b45c5e409cd49f04bb2d9999f");
+  EXPECT_STREQ(ros::service_traits::datatype<octomap_msgs::GetOctomap>(),
+               "octomap_msgs/GetOctomap");
+  EXPECT_STREQ(ros::service_traits::md5sum<octomap_msgs::GetOctomap>(),
+               "be9d2869d24fe40d6bc21ac21f6bb2c5");
+}
+
+TEST(MapConversions, CloudsHoldTheOccupiedVoxelsAtExactlyAHalfToo) {
+  VoxelGrid grid(0.1);
+  grid.set({0, 0, 0}, 0.49F);
+  grid.set({1, 2, 3}, 0.5F);
+  grid.set({-1, 0, 0}, 0.9F);
+  const sensor_msgs::PointCloud2 cloud = occupiedCloud(grid, headerOf("world"));
+  EXPECT_EQ(cloud.width * cloud.height, 2U);
+  const auto* values = reinterpret_cast<const float*>(cloud.data.data());
+  EXPECT_FLOAT_EQ(values[0], 0.15F);
+  EXPECT_FLOAT_EQ(values[1], 0.25F);
+  EXPECT_FLOAT_EQ(values[2], 0.35F);
+}
+
+TEST(MapConversions, CellMarkersShadeByProbability) {
+  VoxelGrid grid(0.1);
+  grid.set({0, 0, 0}, 0.1F);
+  grid.set({1, 0, 0}, 1.0F);
+  grid.set({2, 0, 0}, 0.5F);
+  const auto array = cellMarkers(grid, {Vec3::UnitY(), Vec3::UnitX()}, 0.3, headerOf("object"));
+  ASSERT_EQ(array.markers.size(), 1U);
+  const auto& marker = array.markers[0];
+  ASSERT_EQ(marker.points.size(), 2U);
+  EXPECT_FLOAT_EQ(marker.colors[0].r, 1.0F);
+  EXPECT_FLOAT_EQ(marker.colors[0].g, 0.0F);
+  EXPECT_FLOAT_EQ(marker.colors[1].r, 0.5F);
+  EXPECT_FLOAT_EQ(marker.colors[1].g, 0.5F);
+}
+
+TEST(SceneMarkers, HaveOneMarkerForEachShapeInItsFrame) {
+  Scenario scenario;
+  scenario.object = {{BoxShape{{0.1, 0.2, 0.3}}, makePose({1, 0, 0})}};
+  scenario.environment = {{CylinderShape{0.05, 0.4}, Pose::Identity()},
+                          {SphereShape{0.1}, Pose::Identity()}};
+  const auto array = sceneMarkers(scenario, {"world", "object"});
+  ASSERT_EQ(array.markers.size(), 3U);
+  EXPECT_EQ(array.markers[0].header.frame_id, "world");
+  EXPECT_DOUBLE_EQ(array.markers[0].scale.x, 0.1);
+  EXPECT_DOUBLE_EQ(array.markers[0].scale.z, 0.4);
+  EXPECT_EQ(array.markers[2].header.frame_id, "object");
+  EXPECT_DOUBLE_EQ(array.markers[2].pose.position.x, 1.0);
+}
+
+TEST(ParameterSource, ParameterServerValuesBecomeYaml) {
+  XmlRpc::XmlRpcValue value;
+  value["number"] = 0.1;
+  value["count"] = 3;
+  value["flag"] = true;
+  value["text"] = "paper";
+  value["list"][0] = 1.5;
+  value["list"][1] = 2;
+  value["nested"]["inner"] = -1e-7;
+  const YAML::Node yaml = toYaml(value);
+  EXPECT_EQ(yaml["number"].as<double>(), 0.1);
+  EXPECT_EQ(yaml["count"].as<int>(), 3);
+  EXPECT_EQ(yaml["flag"].as<bool>(), true);
+  EXPECT_EQ(yaml["text"].as<std::string>(), "paper");
+  EXPECT_EQ(yaml["list"][1].as<double>(), 2.0);
+  EXPECT_EQ(yaml["nested"]["inner"].as<double>(), -1e-7);
+}
+
+TEST(ParameterSource, TheScenarioDecidesAndRefusesAnotherValue) {
+  YAML::Node mapping(YAML::NodeType::Map);
+  imposeScenarioValue(mapping, "contact_force", 5.0, "/node");
+  EXPECT_EQ(mapping["contact_force"].as<double>(), 5.0);
+  EXPECT_NO_THROW(imposeScenarioValue(mapping, "contact_force", 5.0, "/node"));
+  try {
+    imposeScenarioValue(mapping, "contact_force", 7.0, "/node");
+    FAIL() << "a different value was accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("/node: contact_force"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace smore
