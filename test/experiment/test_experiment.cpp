@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <string>
+
+#include "smore/experiment/experiment.h"
+#include "smore/scenario/scenario.h"
+
+namespace smore {
+namespace {
+
+const std::atomic<bool> kNotInterrupted{false};
+
+// A bar behind one peg: two or three touches find the way.
+Scenario smallScene() {
+  Scenario scenario;
+  scenario.name = "small";
+  scenario.object = {{BoxShape{Vec3(0.06, 0.3, 0.06)}, Pose::Identity()}};
+  scenario.environment = {{CylinderShape{0.03, 0.3}, makePose(Vec3(-0.2, 0.1, 0.0))}};
+  scenario.goal = makePose(Vec3(-0.4, 0, 0));
+  scenario.workspace = {Vec3(-0.6, -0.4, -0.01), Vec3(0.2, 0.4, 0.01)};
+  scenario.perturb = {0.01, 0.05};
+  return scenario;
+}
+
+ExperimentParameters parametersFor(MethodKind method) {
+  ExperimentParameters parameters;
+  parameters.method = method;
+  parameters.trials = 2;
+  parameters.max_collisions = 300;
+  return parameters;
+}
+
+class EachMethod : public ::testing::TestWithParam<MethodKind> {};
+
+TEST_P(EachMethod, bringsTheObjectToTheGoal) {
+  const auto trials =
+      runExperiment(smallScene(), parametersFor(GetParam()), kNotInterrupted, [](const auto&) {});
+  ASSERT_EQ(trials.size(), 2u);
+  for (const TrialResult& trial : trials) {
+    EXPECT_TRUE(trial.success) << trial.reason;
+    EXPECT_GT(trial.collisions, 0) << "the straight way is blocked";
+    EXPECT_GE(trial.plans, trial.collisions + 1);
+    EXPECT_GT(trial.path_length, 0.4 - 0.02);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, EachMethod,
+                         ::testing::Values(MethodKind::kPaper, MethodKind::kCspace,
+                                           MethodKind::kSmore),
+                         [](const auto& info) { return methodName(info.param); });
+
+TEST(RunExperiment, givesTheSameResultsWithTwoJobs) {
+  ExperimentParameters parameters = parametersFor(MethodKind::kPaper);
+  parameters.trials = 4;
+  const auto one = runExperiment(smallScene(), parameters, kNotInterrupted, [](const auto&) {});
+  parameters.jobs = 2;
+  const auto two = runExperiment(smallScene(), parameters, kNotInterrupted, [](const auto&) {});
+  ASSERT_EQ(one.size(), two.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].seed, i + 1);
+    EXPECT_EQ(one[i].seed, two[i].seed);
+    EXPECT_EQ(one[i].collisions, two[i].collisions);
+    EXPECT_EQ(one[i].plans, two[i].plans);
+    EXPECT_EQ(one[i].path_length, two[i].path_length);
+    EXPECT_EQ(one[i].simulated_s, two[i].simulated_s);
+    EXPECT_EQ(one[i].world_map.occupied, two[i].world_map.occupied);
+  }
+}
+
+TEST(RunExperiment, stopsAtTheCollisionLimit) {
+  ExperimentParameters parameters = parametersFor(MethodKind::kPaper);
+  parameters.trials = 1;
+  parameters.max_collisions = 1;
+  const auto trials = runExperiment(smallScene(), parameters, kNotInterrupted, [](const auto&) {});
+  ASSERT_EQ(trials.size(), 1u);
+  EXPECT_FALSE(trials[0].success);
+  EXPECT_EQ(trials[0].collisions, 1);
+}
+
+TEST(RunExperiment, leavesInterruptedTrialsOut) {
+  std::atomic<bool> interrupted{false};
+  ExperimentParameters parameters = parametersFor(MethodKind::kPaper);
+  parameters.trials = 100;
+  const auto trials = runExperiment(
+      smallScene(), parameters, interrupted,
+      [&](const ExperimentProgress& progress) { interrupted = interrupted || progress.finished; });
+  EXPECT_GE(trials.size(), 1u);
+  EXPECT_LT(trials.size(), 100u);
+}
+
+TEST(RunExperiment, reconstructsByTouchingUntilTheBudget) {
+  Scenario scenario = smallScene();
+  scenario.task = Task::kReconstruct;
+  scenario.reconstruct_touches = 5;
+  ExperimentParameters parameters = parametersFor(MethodKind::kPaper);
+  parameters.trials = 1;
+  const auto trials = runExperiment(scenario, parameters, kNotInterrupted, [](const auto&) {});
+  ASSERT_EQ(trials.size(), 1u);
+  EXPECT_TRUE(trials[0].success) << trials[0].reason;
+  EXPECT_EQ(trials[0].collisions, 5);
+}
+
+}  // namespace
+}  // namespace smore

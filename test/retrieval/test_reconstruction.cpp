@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "scripted_robot.h"
+#include "smore/retrieval/reconstruction.h"
+
+namespace smore {
+namespace {
+
+MotionSpace space(Motion motion) {
+  MotionSpace space;
+  space.motion = motion;
+  space.T_world_plane = makePose(Vec3(0.1, 0.2, 0.3));
+  space.workspace = {Vec3(-1, -0.5, 0.29), Vec3(1, 0.5, 0.31)};
+  return space;
+}
+
+ReconstructionParameters parameters(int touches) {
+  ReconstructionParameters parameters;
+  parameters.touches = touches;
+  return parameters;
+}
+
+MotionResult contact() {
+  MotionResult result;
+  result.end = MotionEnd::kContact;
+  return result;
+}
+
+TEST(RandomTouches, stayInTheMotionSpaceAndRepeatForASeed) {
+  for (const Motion motion : {Motion::kPlanar, Motion::kSpatial}) {
+    RandomTouches first(space(motion), 3);
+    RandomTouches second(space(motion), 3);
+    for (int i = 0; i < 200; ++i) {
+      const Path path = first.nextTouch(Pose::Identity());
+      EXPECT_TRUE(space(motion).contains(path.back()));
+      EXPECT_TRUE(path.back().isApprox(second.nextTouch(Pose::Identity()).back()));
+    }
+  }
+}
+
+TEST(Reconstruct, countsTouchesUntilTheBudget) {
+  ScriptedRobot robot;
+  robot.script = {{}, contact(), {}, contact(), contact()};
+  RandomTouches touches(space(Motion::kPlanar), 1);
+  const RetrievalOutcome outcome = reconstruct(parameters(3), &robot, &touches, {}, {});
+  EXPECT_TRUE(outcome.success);
+  EXPECT_EQ(outcome.collisions, 3);
+  EXPECT_EQ(outcome.plans, 5);
+  EXPECT_EQ(std::count(robot.calls.begin(), robot.calls.end(), "reset"), 3);
+}
+
+TEST(Reconstruct, endsInAnEmptyScene) {
+  ScriptedRobot robot;
+  RandomTouches touches(space(Motion::kPlanar), 1);
+  const RetrievalOutcome outcome = reconstruct(parameters(2), &robot, &touches, {}, {});
+  EXPECT_FALSE(outcome.success);
+  EXPECT_NE(outcome.reason.find("too few touches"), std::string::npos);
+}
+
+TEST(Reconstruct, stopsWhenAskedTo) {
+  ScriptedRobot robot;
+  RandomTouches touches(space(Motion::kPlanar), 1);
+  const RetrievalOutcome outcome =
+      reconstruct(parameters(2), &robot, &touches, {}, [] { return true; });
+  EXPECT_FALSE(outcome.success);
+  EXPECT_TRUE(robot.calls.empty());
+}
+
+}  // namespace
+}  // namespace smore

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "scripted_robot.h"
+#include "smore/retrieval/retrieval.h"
+
+namespace smore {
+namespace {
+
+MotionResult contact() {
+  MotionResult result;
+  result.end = MotionEnd::kContact;
+  return result;
+}
+
+MotionResult fault(const std::string& reason) {
+  MotionResult result;
+  result.end = MotionEnd::kFault;
+  result.reason = reason;
+  return result;
+}
+
+// Straight to the goal by way of a point that is different in each call, or nothing for the first
+// `failures` calls.
+class DetourPlanner : public Planner {
+ public:
+  int failures = 0;
+  int calls = 0;
+  double spread = 1.0;  // [m] between the detours
+
+  Result<Plan> plan(const Pose& start, const Pose& goal) override {
+    ++calls;
+    if (failures-- > 0) return Failure{"walled in"};
+    return Plan{{start, makePose(Vec3(0, spread * calls, 0)), goal}, 0.25};
+  }
+};
+
+RetrievalParameters parameters() {
+  RetrievalParameters parameters;
+  parameters.goal = makePose(Vec3(-1, 0, 0));
+  return parameters;
+}
+
+class RetrievalTest : public ::testing::Test {
+ protected:
+  RetrievalOutcome run(const RetrievalParameters& parameters) {
+    Retrieval retrieval(parameters, &robot_, &planner_,
+                        [this](const RetrievalProgress& progress) { news_.push_back(progress); });
+    return retrieval.run();
+  }
+
+  ScriptedRobot robot_;
+  DetourPlanner planner_;
+  std::vector<RetrievalProgress> news_;
+};
+
+TEST_F(RetrievalTest, endsAtTheGoal) {
+  const RetrievalOutcome outcome = run(parameters());
+  EXPECT_TRUE(outcome.success);
+  EXPECT_EQ(outcome.collisions, 0);
+  EXPECT_EQ(outcome.plans, 1);
+  EXPECT_NEAR(outcome.path_length, pathLength(outcome.path), 1e-12);
+  ASSERT_EQ(news_.size(), 3u);
+  EXPECT_EQ(news_[0].phase, Phase::kPlanning);
+  EXPECT_EQ(news_[1].phase, Phase::kMoving);
+  EXPECT_EQ(news_[1].risk, 0.25);
+  EXPECT_EQ(news_[2].phase, Phase::kFinished);
+}
+
+TEST_F(RetrievalTest, resetsToTheStartAfterEachContact) {
+  robot_.script = {contact(), contact()};
+  const RetrievalOutcome outcome = run(parameters());
+  EXPECT_TRUE(outcome.success);
+  EXPECT_EQ(outcome.collisions, 2);
+  EXPECT_EQ(robot_.calls,
+            (std::vector<std::string>{"follow", "reset", "follow", "reset", "follow"}));
+}
+
+TEST_F(RetrievalTest, retreatsWhereAskedTo) {
+  robot_.script = {contact(), contact()};
+  RetrievalParameters retreating = parameters();
+  retreating.on_contact = OnContact::kRetreat;
+  EXPECT_TRUE(run(retreating).success);
+  EXPECT_EQ(robot_.calls,
+            (std::vector<std::string>{"follow", "retreat", "follow", "retreat", "follow"}));
+}
+
+TEST_F(RetrievalTest, resetsWhenARetreatLedBackToTheSameContact) {
+  planner_.spread = 0.0;
+  robot_.script = {contact(), contact()};
+  RetrievalParameters retreating = parameters();
+  retreating.on_contact = OnContact::kRetreat;
+  EXPECT_TRUE(run(retreating).success);
+  EXPECT_EQ(robot_.calls,
+            (std::vector<std::string>{"follow", "retreat", "follow", "reset", "follow"}));
+}
+
+TEST_F(RetrievalTest, givesUpAtTheCollisionLimit) {
+  robot_.script.assign(100, contact());
+  RetrievalParameters limited = parameters();
+  limited.max_collisions = 7;
+  const RetrievalOutcome outcome = run(limited);
+  EXPECT_FALSE(outcome.success);
+  EXPECT_EQ(outcome.collisions, 7);
+  EXPECT_NE(outcome.reason.find("limit of 7"), std::string::npos);
+}
+
+TEST_F(RetrievalTest, triesAgainFromTheStartWithoutAPlan) {
+  planner_.failures = 3;
+  const RetrievalOutcome outcome = run(parameters());
+  EXPECT_TRUE(outcome.success);
+  EXPECT_EQ(outcome.plans, 4);
+  EXPECT_EQ(robot_.calls, (std::vector<std::string>{"reset", "reset", "reset", "follow"}));
+}
+
+TEST_F(RetrievalTest, givesUpWithTheLastReasonWhenThereIsNoPlan) {
+  planner_.failures = 1000;
+  RetrievalParameters limited = parameters();
+  limited.max_failed_plans = 5;
+  const RetrievalOutcome outcome = run(limited);
+  EXPECT_FALSE(outcome.success);
+  EXPECT_EQ(outcome.plans, 5);
+  EXPECT_NE(outcome.reason.find("walled in"), std::string::npos);
+}
+
+TEST_F(RetrievalTest, endsWithTheReasonOfAFault) {
+  robot_.script = {contact(), fault("the sensor is silent")};
+  const RetrievalOutcome outcome = run(parameters());
+  EXPECT_FALSE(outcome.success);
+  EXPECT_EQ(outcome.reason, "the sensor is silent");
+  EXPECT_EQ(outcome.collisions, 1);
+}
+
+TEST_F(RetrievalTest, endsWhenItCannotBackOff) {
+  robot_.script = {contact()};
+  robot_.reset_end = MotionEnd::kFault;
+  const RetrievalOutcome outcome = run(parameters());
+  EXPECT_FALSE(outcome.success);
+  EXPECT_NE(outcome.reason.find("stuck"), std::string::npos);
+}
+
+TEST_F(RetrievalTest, stopsWhenAskedTo) {
+  Retrieval retrieval(parameters(), &robot_, &planner_, {});
+  retrieval.requestStop();
+  const RetrievalOutcome outcome = retrieval.run();
+  EXPECT_FALSE(outcome.success);
+  EXPECT_TRUE(robot_.calls.empty());
+  EXPECT_NE(outcome.reason.find("stopped"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace smore
