@@ -1,7 +1,7 @@
 # Functions that give every target of the package the same flags.
 
 set(SMORE_WARNINGS -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
-set(SMORE_RUN_WITH_LIMIT ${CMAKE_CURRENT_LIST_DIR}/../test/run_with_limit.py)
+set(SMORE_RUN_WITH_LIMIT ${CMAKE_CURRENT_LIST_DIR}/../scripts/run_with_limit.py)
 
 # Leaves in `variable` the sources that exist, while layers are being written.
 function(smore_existing variable)
@@ -40,6 +40,9 @@ function(smore_library name)
     RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION})
 endfunction()
 
+# Everything but the tests, for those who only want to run it.
+add_custom_target(smore_programs)
+
 # smore_executable(NAME SOURCES a.cpp ... LINK libraries ...): a program in devel/lib/smore.
 function(smore_executable name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
@@ -52,6 +55,7 @@ function(smore_executable name)
   target_compile_options(${name} PRIVATE ${SMORE_WARNINGS})
   set_target_properties(${name} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
+  add_dependencies(smore_programs ${name})
   install(TARGETS ${name} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 endfunction()
 
