@@ -28,15 +28,17 @@ SampledWorlds::SampledWorlds(const WorldSamples& samples, const FeatureParameter
   const auto distance = static_cast<float>(contact_distance_);
   const float block = kBlockSizes * distance;
   const float half_diagonal = 0.5F * block * std::sqrt(planar ? 2.0F : 3.0F);
-  near_world_ = MaskGrid(world_, distance, distance / 5.0F);
+  object_moves_ = object_.size() <= world_.size();
+  const std::vector<MaskedPoint>& fixed = object_moves_ ? world_ : object_;
+  near_ball_ = MaskGrid(fixed, distance, distance / 5.0F);
   // One more cell than the geometry needs makes up for the lattices' rounding.
-  near_block_ = MaskGrid(world_, 1.4F * distance + half_diagonal, distance / 2.5F);
-  makeBlocks(block);
+  near_block_ = MaskGrid(fixed, 1.4F * distance + half_diagonal, distance / 2.5F);
+  makeBlocks(object_moves_ ? object_ : world_, block);
 }
 
-void SampledWorlds::makeBlocks(float size) {
+void SampledWorlds::makeBlocks(const std::vector<MaskedPoint>& points, float size) {
   std::map<std::uint64_t, std::vector<MaskedPoint>> groups;
-  for (const MaskedPoint& point : object_) {
+  for (const MaskedPoint& point : points) {
     groups[MaskedPoints::cellKey(point.point, size)].push_back(point);
   }
   std::vector<std::pair<MaskedPoint, std::vector<MaskedPoint>>> sorted;
@@ -50,18 +52,21 @@ void SampledWorlds::makeBlocks(float size) {
   // Blocks that hold matter in many hypotheses first: they decide soonest.
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const auto& a, const auto& b) { return moreHypotheses(a.first, b.first); });
-  object_.clear();
   for (const auto& group : sorted) {
-    Block block{group.first, static_cast<int>(object_.size()), 0};
-    object_.insert(object_.end(), group.second.begin(), group.second.end());
-    block.last = static_cast<int>(object_.size());
+    Block block{group.first, static_cast<int>(points_.size()), 0};
+    points_.insert(points_.end(), group.second.begin(), group.second.end());
+    block.last = static_cast<int>(points_.size());
     blocks_.push_back(block);
   }
 }
 
-HypothesisMask SampledWorlds::touching(const Eigen::Isometry3f& T_map_object) const {
-  const Eigen::Matrix3f rotation = T_map_object.linear();
-  const Eigen::Vector3f translation = T_map_object.translation();
+HypothesisMask SampledWorlds::touching(const Eigen::Isometry3f& T_map_object, int enough) const {
+  return overlap(object_moves_ ? T_map_object : T_map_object.inverse(), enough);
+}
+
+HypothesisMask SampledWorlds::overlap(const Eigen::Isometry3f& pose, int enough) const {
+  const Eigen::Matrix3f rotation = pose.linear();
+  const Eigen::Vector3f translation = pose.translation();
   HypothesisMask result = 0;
   for (const Block& block : blocks_) {
     const HypothesisMask open = block.whole.mask & ~result;
@@ -69,10 +74,10 @@ HypothesisMask SampledWorlds::touching(const Eigen::Isometry3f& T_map_object) co
     const HypothesisMask near = near_block_.at(rotation * block.whole.point + translation) & open;
     if (near == 0) continue;
     for (int i = block.first; i < block.last; ++i) {
-      if ((object_[i].mask & near & ~result) == 0) continue;
-      result |= near_world_.at(rotation * object_[i].point + translation) & object_[i].mask;
+      if ((points_[i].mask & near & ~result) == 0) continue;
+      result |= near_ball_.at(rotation * points_[i].point + translation) & points_[i].mask;
     }
-    if (result == ~HypothesisMask{0}) break;
+    if (__builtin_popcountll(result) > enough) break;
   }
   return result;
 }

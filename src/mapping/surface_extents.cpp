@@ -13,7 +13,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 // Points are merged and looked up on lattices that are fine against the balls.
 float latticeCell(const FeatureParameters& feature) {
-  return static_cast<float>(feature.conflictDistance()) / 5.0F;
+  return static_cast<float>(feature.conflictDistance()) / 3.0F;
 }
 
 double gaussian(CounterRandom* random) {

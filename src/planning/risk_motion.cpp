@@ -52,22 +52,25 @@ MotionCost RiskMotions::cost(const RiskState& from, const RiskState& to) const {
   MotionCost result;
   result.length = distance(from, to);
   const int count = steps(from, to);
-  double risk = 0.0;
+  const auto step = static_cast<float>(result.length / count);
   for (int i = 1; i <= count; ++i) {
     const float fraction = static_cast<float>(i) / static_cast<float>(count);
     const HypothesisMask mask = worlds_->touching(interpolate(from, to, fraction).pose());
     result.touching |= mask;
-    risk += shareOf(mask);
+    for (HypothesisMask left = mask; left != 0; left &= left - 1) {
+      result.touching_length[__builtin_ctzll(left)] += step;
+    }
   }
-  result.exposure = risk / count * result.length;
   return result;
 }
 
 bool RiskMotions::within(const RiskState& from, const RiskState& to, int limit) const {
   const int count = steps(from, to);
-  for (int i = 1; i <= count; ++i) {
+  if (limit >= kHypotheses) return true;
+  // From the end: it lies farthest from what is known to be within.
+  for (int i = count; i >= 1; --i) {
     const float fraction = static_cast<float>(i) / static_cast<float>(count);
-    const HypothesisMask mask = worlds_->touching(interpolate(from, to, fraction).pose());
+    const HypothesisMask mask = worlds_->touching(interpolate(from, to, fraction).pose(), limit);
     if (__builtin_popcountll(mask) > limit) return false;
   }
   return true;

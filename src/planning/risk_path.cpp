@@ -10,6 +10,9 @@ namespace {
 // A move turns by as much as it shifts, in the metric of the search.
 constexpr double kTurnShare = 1.0;
 
+// Worlds that would let pass a path against which all worlds speak: keeps its cost finite.
+constexpr double kLeastHope = 1e-6;
+
 }  // namespace
 
 RiskPath::RiskPath(const RiskMotions& motions, const RiskObjective& objective,
@@ -21,17 +24,23 @@ RiskPath::RiskPath(const RiskMotions& motions, const RiskObjective& objective,
   evaluate();
 }
 
-void RiskPath::evaluate() { value_ = valueOf(costs_, &touching_); }
+void RiskPath::evaluate() {
+  value_ = valueOf(costs_);
+  touching_ = 0;
+  for (const MotionCost& cost : costs_) touching_ |= cost.touching;
+}
 
-double RiskPath::valueOf(const std::vector<MotionCost>& costs, HypothesisMask* touching) const {
-  *touching = 0;
-  double value = 0.0;
+double RiskPath::valueOf(const std::vector<MotionCost>& costs) const {
+  std::array<float, kHypotheses> touching_length{};
+  double length = 0.0;
   for (const MotionCost& cost : costs) {
-    *touching |= cost.touching;
-    value += cost.length + objective_.exposure_cost * cost.exposure;
+    length += cost.length;
+    if (cost.touching == 0) continue;
+    for (int m = 0; m < kHypotheses; ++m) touching_length[m] += cost.touching_length[m];
   }
-  const double risk = std::min(RiskObjective::kMostRisk, shareOf(*touching));
-  return value - objective_.touch_cost * std::log(1.0 - risk);
+  double passing = kLeastHope;
+  for (const float touched : touching_length) passing += std::exp(-touched / objective_.give);
+  return length - objective_.touch_cost * std::log(passing / kHypotheses);
 }
 
 void RiskPath::improve(const RiskSpace& space, int attempts, double distance,
@@ -48,8 +57,7 @@ bool RiskPath::tryShortcut(CounterRandom* random) {
   std::vector<MotionCost> costs(costs_.begin(), costs_.begin() + i);
   costs.push_back(motions_->cost(states_[i], states_[j]));
   costs.insert(costs.end(), costs_.begin() + j, costs_.end());
-  HypothesisMask touching = 0;
-  if (valueOf(costs, &touching) > value_) return false;
+  if (valueOf(costs) > value_) return false;
   states_.erase(states_.begin() + i + 1, states_.begin() + j);
   costs_ = std::move(costs);
   evaluate();
@@ -64,8 +72,7 @@ bool RiskPath::tryMove(const RiskSpace& space, double distance, CounterRandom* r
   std::vector<MotionCost> costs = costs_;
   costs[i - 1] = motions_->cost(states_[i - 1], moved);
   costs[i] = motions_->cost(moved, states_[i + 1]);
-  HypothesisMask touching = 0;
-  if (valueOf(costs, &touching) >= value_) return false;
+  if (valueOf(costs) >= value_) return false;
   states_[i] = moved;
   costs_ = std::move(costs);
   evaluate();

@@ -32,6 +32,11 @@ struct RiskPlanner::Search {
   CounterRandom random;
 };
 
+struct RiskPlanner::Trees {
+  RiskTree from_start;
+  RiskTree from_goal;
+};
+
 RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
                          const RiskPlannerParameters& parameters, std::uint64_t seed)
     : belief_(&belief),
@@ -59,12 +64,12 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
 
 std::vector<RiskPath> RiskPlanner::climb(Search* search) const {
   std::vector<RiskPath> paths;
+  Trees trees = plant(*search);  // what one rung allows, the next allows too
   for (const double rung : kRungs) {
     const int limit = static_cast<int>(rung * kHypotheses);
     for (int k = 0; k < parameters_.paths; ++k) {
-      const bool first = paths.empty();
-      auto states =
-          connect(search, limit, first ? parameters_.iterations : parameters_.iterations / 2);
+      if (!paths.empty()) trees = plant(*search);
+      auto states = connect(&trees, limit, parameters_.iterations, &search->random);
       if (!states) break;
       paths.emplace_back(search->motions, parameters_.objective, std::move(*states));
       paths.back().improve(space_, parameters_.improvements, kMoveDistance, &search->random);
@@ -72,6 +77,15 @@ std::vector<RiskPath> RiskPlanner::climb(Search* search) const {
     if (static_cast<int>(paths.size()) >= parameters_.paths) break;
   }
   return paths;
+}
+
+RiskPlanner::Trees RiskPlanner::plant(const Search& search) const {
+  Trees trees{RiskTree(search.motions, parameters_.step),
+              RiskTree(search.motions, parameters_.step)};
+  trees.from_start.add(search.start, -1);
+  trees.from_goal.add(search.goal, -1);
+  plantTracks(&trees.from_start);
+  return trees;
 }
 
 RiskState RiskPlanner::draw(const RiskTree& tree, CounterRandom* random) const {
@@ -94,17 +108,12 @@ void RiskPlanner::plantTracks(RiskTree* tree) const {
   }
 }
 
-std::optional<std::vector<RiskState>> RiskPlanner::connect(Search* search, int limit,
-                                                           int iterations) const {
-  RiskTree from_start(search->motions, parameters_.step);
-  RiskTree from_goal(search->motions, parameters_.step);
-  from_start.add(search->start, -1);
-  from_goal.add(search->goal, -1);
-  plantTracks(&from_start);
+std::optional<std::vector<RiskState>> RiskPlanner::connect(Trees* trees, int limit, int iterations,
+                                                           CounterRandom* random) const {
   for (int i = 0; i < iterations; ++i) {
-    RiskTree& grown = i % 2 == 0 ? from_start : from_goal;
-    RiskTree& other = i % 2 == 0 ? from_goal : from_start;
-    const RiskState sample = draw(grown, &search->random);
+    RiskTree& grown = i % 2 == 0 ? trees->from_start : trees->from_goal;
+    RiskTree& other = i % 2 == 0 ? trees->from_goal : trees->from_start;
+    const RiskState sample = draw(grown, random);
     if (!space_.contains(sample)) continue;
     const RiskTree::Extension extension = grown.extend(sample, limit);
     if (extension.growth == RiskTree::Growth::kNone) continue;

@@ -51,23 +51,21 @@ class MaskGrid {
   MaskGrid(const std::vector<MaskedPoint>& points, float radius, float cell);
 
   HypothesisMask at(const Eigen::Vector3f& point) const {
-    const Eigen::Vector3f scaled = (point - min_) * inverse_cell_;
-    // The comparisons are false for values that are not numbers.
-    if (!(scaled.x() >= 0.0F && scaled.x() < extent_.x() && scaled.y() >= 0.0F &&
-          scaled.y() < extent_.y() && scaled.z() >= 0.0F && scaled.z() < extent_.z())) {
-      return 0;
-    }
-    return masks_[(static_cast<int>(scaled.z()) * size_.y() + static_cast<int>(scaled.y())) *
-                      size_.x() +
-                  static_cast<int>(scaled.x())];
+    // Outside of the box, and for values that are not numbers, some index is too large as unsigned.
+    const auto x = static_cast<unsigned>(static_cast<int>((point.x() - min_.x()) * inverse_cell_));
+    const auto y = static_cast<unsigned>(static_cast<int>((point.y() - min_.y()) * inverse_cell_));
+    const auto z = static_cast<unsigned>(static_cast<int>((point.z() - min_.z()) * inverse_cell_));
+    if (x >= width_ || y >= depth_ || z >= height_) return 0;
+    return masks_[(z * depth_ + y) * width_ + x];
   }
 
  private:
   void stamp(const MaskedPoint& ball, float radius);
 
   Eigen::Vector3f min_ = Eigen::Vector3f::Zero();
-  Eigen::Vector3f extent_ = Eigen::Vector3f::Zero();  ///< number of cells, as it is compared with
-  Eigen::Vector3i size_ = Eigen::Vector3i::Zero();
+  unsigned width_ = 0;  ///< cells along x, y and z
+  unsigned depth_ = 0;
+  unsigned height_ = 0;
   float cell_ = 1.0F;
   float inverse_cell_ = 1.0F;
   std::vector<HypothesisMask> masks_;

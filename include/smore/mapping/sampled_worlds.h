@@ -35,8 +35,10 @@ class SampledWorlds {
   SampledWorlds(const WorldSamples& samples, const FeatureParameters& feature,
                 const ExtentParameters& extent, bool planar, std::uint64_t seed);
 
-  /// The worlds in which the object touches at this pose in the map frame.
-  HypothesisMask touching(const Eigen::Isometry3f& T_map_object) const;
+  /// The worlds in which the object touches at this pose in the map frame. Once they are more than
+  /// `enough`, the rest may be missing.
+  HypothesisMask touching(const Eigen::Isometry3f& T_map_object,
+                          int enough = kHypotheses - 1) const;
 
   /// Centres of the balls of matter, in the object's and the map's frame.
   const std::vector<MaskedPoint>& object() const { return object_; }
@@ -46,19 +48,23 @@ class SampledWorlds {
   double contactDistance() const { return contact_distance_; }
 
  private:
-  /// Points of the object that lie together, looked up as one first.
+  /// Points that lie together, looked up as one first.
   struct Block {
     MaskedPoint whole;
     int first = 0;
     int last = 0;
   };
-  void makeBlocks(float size);
+  void makeBlocks(const std::vector<MaskedPoint>& points, float size);
+  HypothesisMask overlap(const Eigen::Isometry3f& pose, int enough) const;
 
   double contact_distance_ = 0.0;
-  std::vector<MaskedPoint> object_;  ///< block after block
+  std::vector<MaskedPoint> object_;
   std::vector<MaskedPoint> world_;
+  // The side with fewer points is looked up, point by point, in grids of the other side.
+  bool object_moves_ = true;
+  std::vector<MaskedPoint> points_;  ///< block after block
   std::vector<Block> blocks_;
-  MaskGrid near_world_;  ///< by the centre of a ball of the object: touches
+  MaskGrid near_ball_;   ///< by the centre of a ball: touches
   MaskGrid near_block_;  ///< by the centre of a block: some point of it may touch
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <vector>
 
 #include "smore/mapping/sampled_worlds.h"
@@ -21,8 +22,9 @@ RiskState interpolate(const RiskState& a, const RiskState& b, float fraction);
 /// What a straight motion costs.
 struct MotionCost {
   double length = 0.0;          ///< in the metric of RiskMotions [m]
-  double exposure = 0.0;        ///< integral of the pose risk over the length [m]
   HypothesisMask touching = 0;  ///< worlds in which it touches
+  /// For each world the length on which it touches [m].
+  std::array<float, kHypotheses> touching_length{};
 };
 
 /// Straight motions in the sampled worlds and the metric in which the search measures them.

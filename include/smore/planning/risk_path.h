@@ -11,16 +11,14 @@ namespace smore {
 
 /// What a path is worth. In metres of motion:
 ///
-///   J = length - touch_cost * log(1 - r) + exposure_cost * integral of the pose risk over the
-///   length
+///   J = length - touch_cost * log(mean over the worlds of exp(-touching length / give))
 ///
-/// with r the share of worlds in which the path touches anywhere, at most kMostRisk.
+/// A world's say against a path grows with the length on which the path touches in it: matter is
+/// known only to some accuracy, so that a graze may well pass, and where every world objects, the
+/// path with the least to go through is still told from a hopeless one.
 struct RiskObjective {
-  double touch_cost = 3.0;     ///< what one nat of not arriving is worth in motion [m]
-  double exposure_cost = 2.0;  ///< a metre at pose risk 1 costs so many metres more
-
-  /// Keeps a path without hope finite, so that the search never runs out of paths to try.
-  static constexpr double kMostRisk = 0.985;
+  double touch_cost = 3.0;  ///< what one nat of not arriving is worth in motion [m]
+  double give = 0.02;       ///< accuracy of what is known of matter's place [m]
 };
 
 /// A path with the costs of its motions, so that a change costs only what it changes.
@@ -42,7 +40,7 @@ class RiskPath {
   bool tryShortcut(CounterRandom* random);
   bool tryMove(const RiskSpace& space, double distance, CounterRandom* random);
   void evaluate();
-  double valueOf(const std::vector<MotionCost>& costs, HypothesisMask* touching) const;
+  double valueOf(const std::vector<MotionCost>& costs) const;
 
   const RiskMotions* motions_;
   RiskObjective objective_;

@@ -16,7 +16,7 @@
 namespace smore {
 
 struct RiskPlannerParameters {
-  int iterations = 4000;  ///< samples for each tree on each rung of the ladder of risk, at least 1
+  int iterations = 1500;  ///< samples for each tree on each rung of the ladder of risk, at least 1
   int paths = 4;          ///< paths of which the best is taken, at least 1
   int improvements = 60;  ///< shortcuts, and moves, tried on each path
   double step = 0.12;     ///< longest edge of the trees, in the metric of the search [m]
@@ -38,8 +38,11 @@ class RiskPlanner : public Planner {
 
  private:
   struct Search;
+  struct Trees;
   std::vector<RiskPath> climb(Search* search) const;
-  std::optional<std::vector<RiskState>> connect(Search* search, int limit, int iterations) const;
+  Trees plant(const Search& search) const;
+  std::optional<std::vector<RiskState>> connect(Trees* trees, int limit, int iterations,
+                                                CounterRandom* random) const;
   RiskState draw(const RiskTree& tree, CounterRandom* random) const;
   void plantTracks(RiskTree* tree) const;
 
