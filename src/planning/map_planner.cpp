@@ -3,11 +3,23 @@
 
 #include <stdexcept>
 
+#include "smore/mapping/octomap_export.h"
 #include "smore/planning/fcl_collision_checker.h"
 #include "smore/planning/free_pose_voxels.h"
 #include "smore/planning/grid_collision_checker.h"
 
 namespace smore {
+namespace {
+
+VoxelGrid atLeast(double threshold, const VoxelGrid& grid) {
+  VoxelGrid kept(grid.voxelSize());
+  for (const VoxelGrid::Voxel& voxel : grid.voxels()) {
+    if (voxel.probability >= threshold) kept.set(voxel.key, voxel.probability);
+  }
+  return kept;
+}
+
+}  // namespace
 
 MapPlanner::MapPlanner(const TwinMap& map, const MotionSpace& space,
                        const MapPlannerParameters& parameters, std::uint32_t seed)
@@ -19,7 +31,20 @@ MapPlanner::MapPlanner(const TwinMap& map, const MotionSpace& space,
 }
 
 Result<Plan> MapPlanner::plan(const Pose& start, const Pose& goal) {
-  const auto checker = makeChecker(start);
+  return planFrom(kOccupied, start, goal);
+}
+
+Result<Plan> MapPlanner::planRelaxed(const Pose& start, const Pose& goal) {
+  Result<Plan> plan = Failure{"no thresholds to relax to"};
+  for (const double threshold : parameters_.relaxed_thresholds) {
+    plan = planFrom(threshold, start, goal);
+    if (plan) break;
+  }
+  return plan;
+}
+
+Result<Plan> MapPlanner::planFrom(double threshold, const Pose& start, const Pose& goal) {
+  const auto checker = makeChecker(threshold, start);
   const double depth = parameters_.overlap_share * checker->voxelSize();
   PathPlanner planner(space_, parameters_.path, seed_++);
   const auto path = planner.plan(
@@ -31,8 +56,10 @@ Result<Plan> MapPlanner::plan(const Pose& start, const Pose& goal) {
   return Plan{*path, 0.0};
 }
 
-std::unique_ptr<CollisionChecker> MapPlanner::makeChecker(const Pose& known_free) const {
-  const TwinVoxels voxels = voxelsGivenFree(map_.object(), map_.world(), known_free);
+std::unique_ptr<CollisionChecker> MapPlanner::makeChecker(double threshold,
+                                                          const Pose& known_free) const {
+  const TwinVoxels voxels = voxelsGivenFree(atLeast(threshold, map_.object()),
+                                            atLeast(threshold, map_.world()), known_free);
   if (parameters_.backend == CollisionBackend::kGrid) {
     return std::make_unique<GridCollisionChecker>(voxels.object, voxels.world);
   }

@@ -79,6 +79,10 @@ bool Retrieval::findPlan(Plan* plan) {
     enter(Phase::kPlanning);
     const auto begin = std::chrono::steady_clock::now();
     Result<Plan> result = planner_->plan(robot_->pose(), parameters_.goal);
+    if (!result) {
+      reason = result.reason();
+      result = planner_->planRelaxed(robot_->pose(), parameters_.goal);
+    }
     outcome_.planning_s += secondsSince(begin);
     ++progress_.plans;
     if (result) {
@@ -87,7 +91,6 @@ bool Retrieval::findPlan(Plan* plan) {
       outcome_.path = plan->path;
       return true;
     }
-    reason = result.reason();
     // Being at the start again is an observation too: what it shows to be free may open a path.
     enter(Phase::kResetting);
     const MotionResult reset = robot_->reset(parameters_.start);

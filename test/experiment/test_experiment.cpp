@@ -49,7 +49,7 @@ TEST_P(EachMethod, bringsTheObjectToTheGoal) {
 INSTANTIATE_TEST_SUITE_P(Methods, EachMethod,
                          ::testing::Values(MethodKind::kPaper, MethodKind::kCspace,
                                            MethodKind::kSmore),
-                         [](const auto& info) { return methodName(info.param); });
+                         [](const auto& instance) { return methodName(instance.param); });
 
 TEST(RunExperiment, givesTheSameResultsWithTwoJobs) {
   ExperimentParameters parameters = parametersFor(MethodKind::kPaper);

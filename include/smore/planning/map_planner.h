@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "smore/mapping/twin_map.h"
 #include "smore/planning/collision_checker.h"
@@ -18,6 +19,9 @@ enum class CollisionBackend {
 struct MapPlannerParameters {
   PathPlannerParameters path;
   CollisionBackend backend = CollisionBackend::kFcl;
+  /// Probabilities above 0.5 from which a relaxed plan takes voxels for occupied, tried in this
+  /// order.
+  std::vector<double> relaxed_thresholds = {0.7, 0.9, 0.99, 1.0};
   double overlap_share = 0.045;  ///< deepest overlap of voxels on a path, as a share of their size,
                                  ///< in (0, 1): 5 % is the promise, the rest is margin for rounding
 };
@@ -39,8 +43,14 @@ class MapPlanner : public Planner {
   /// maps every pose is either free or not.
   Result<Plan> plan(const Pose& start, const Pose& goal) override;
 
+  /// The paper does not say what to do when the maps wall the object in, as they do at times: they
+  /// are wrong then, since there is a way out. Here the voxels count as occupied only from a higher
+  /// probability on, raised until there is a path.
+  Result<Plan> planRelaxed(const Pose& start, const Pose& goal) override;
+
  private:
-  std::unique_ptr<CollisionChecker> makeChecker(const Pose& known_free) const;
+  Result<Plan> planFrom(double threshold, const Pose& start, const Pose& goal);
+  std::unique_ptr<CollisionChecker> makeChecker(double threshold, const Pose& known_free) const;
 
   const TwinMap& map_;
   MotionSpace space_;
