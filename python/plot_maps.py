@@ -39,7 +39,7 @@ MARGIN = 0.12  # around what a panel shows [m]
 TOP = View(np.array([1.0, 0, 0]), np.array([0, 1.0, 0]), ("x", "y"))
 FRONT = View(np.array([1.0, 0, 0]), np.array([0, 0, 1.0]), ("x", "z"))
 SIDE = View(np.array([0, 1.0, 0]), np.array([0, 0, 1.0]), ("y", "z"))
-NORM = Normalize(0.0, 1.0)
+LEAST_SCALE = 0.5  # colours end at the largest probability of a map, but not below this
 
 
 def arguments():
@@ -58,6 +58,12 @@ def read_path(file):
         return np.zeros((0, 3))
     poses = json.loads(pathlib.Path(file).read_text()).get("path", [])
     return np.array([pose[:3] for pose in poses], dtype=float).reshape(-1, 3)
+
+
+def scale_of(octree):
+    """Colours of a map: free to its most probable voxel, so that weak evidence is seen as well."""
+    highest = octree[2].max(initial=0.0)
+    return Normalize(0.0, max(LEAST_SCALE, np.ceil(highest * 20.0) / 20.0))
 
 
 class Panel:
@@ -83,7 +89,7 @@ class Panel:
         order = np.argsort(probabilities, kind="stable")
         corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) / 2.0
         squares = seen[order, None, :2] + corners * sizes[order, None, None]
-        drawn = PolyCollection(squares, cmap=self.colors, norm=NORM, linewidths=0.0, rasterized=True)
+        drawn = PolyCollection(squares, cmap=self.colors, norm=scale_of(octree), linewidths=0.0, rasterized=True)
         drawn.set_array(probabilities[order])
         drawn.set_antialiased(False)
         return self.axes.add_collection(drawn)
@@ -132,8 +138,10 @@ def plane_view(scene):
     return view, view.project(position)[2]
 
 
-def occupied(octree):
-    return octree[0][octree[2] >= 0.5]
+def title_of(kind, octree):
+    probabilities = octree[2]
+    count, highest = np.count_nonzero(probabilities >= 0.5), probabilities.max(initial=0.0)
+    return f"{kind} map: {count} voxels at P ≥ 0.5, highest P {highest:.2f}"
 
 
 def world_points(scene, path):
@@ -170,7 +178,7 @@ def object_panel(axes, scene, octree, view, depth):
 
 
 def color_bar(figure, drawn, axes, label):
-    bar = figure.colorbar(drawn, ax=list(axes), shrink=0.8, pad=0.02, ticks=[0.0, 0.25, 0.5, 0.75, 1.0])
+    bar = figure.colorbar(drawn, ax=list(axes), shrink=0.8, pad=0.02)
     bar.set_label(label)
 
 
@@ -205,10 +213,10 @@ def draw(scene, world, found, path):
         world_drawn = world_panel(panel_axes, scene, world, path, *look)
     for panel_axes, look in zip(object_axes, object_looks):
         object_drawn = object_panel(panel_axes, scene, found, *look)
-    world_axes[0].set_title(f"world map, {len(occupied(world))} occupied voxels", fontsize=11)
-    object_axes[0].set_title(f"object map, {len(occupied(found))} occupied voxels", fontsize=11)
-    color_bar(figure, world_drawn, world_axes, "probability of occupancy (world)")
-    color_bar(figure, object_drawn, object_axes, "probability of occupancy (object)")
+    world_axes[0].set_title(title_of("world", world), fontsize=11)
+    object_axes[0].set_title(title_of("object", found), fontsize=11)
+    color_bar(figure, world_drawn, world_axes, "P(occupied), world")
+    color_bar(figure, object_drawn, object_axes, "P(occupied), object")
     legend(figure, len(path) > 1)
     return figure
 
@@ -217,7 +225,7 @@ def legend(figure, has_path):
     entries = [
         Line2D([], [], color=WORLD_OUTLINE, lw=1.8, label="true environment"),
         Line2D([], [], color=OBJECT_OUTLINE, lw=1.8, label="true object"),
-        Line2D([], [], color=OBJECT_AT_START, ls=":", lw=1.3, label="at the start"),
+        Line2D([], [], color=OBJECT_AT_START, ls=":", lw=1.3, label="object at the start"),
         Line2D([], [], color="w", marker="o", markerfacecolor="#8e24aa", ms=8, label="start"),
         Line2D([], [], color="w", marker="*", markerfacecolor="#8e24aa", ms=14, label="goal"),
         plt.Rectangle((0, 0), 1, 1, color=UNKNOWN, label="unknown"),
