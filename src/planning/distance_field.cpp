@@ -121,15 +121,17 @@ std::size_t DistanceField::indexOf(const Eigen::Vector3i& cell) const {
                         (cell.y() + static_cast<std::size_t>(size_.y()) * cell.z());
 }
 
-double DistanceField::lowerBound(const Vec3& point) const {
-  if (distance_.empty()) return std::numeric_limits<double>::infinity();
+DistanceField::Distance DistanceField::at(const Vec3& point) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (distance_.empty()) return {kInfinity, kInfinity};
   const Vec3 inside = point.cwiseMax(centers_.min).cwiseMin(centers_.max);
   const Eigen::Vector3i cell = (inside / cell_).array().floor().cast<int>() - first_.array();
   const Eigen::Vector3i held =
       cell.cwiseMax(Eigen::Vector3i::Zero()).cwiseMin(size_ - Eigen::Vector3i::Ones());
   const Vec3 center = cell_ * ((held + first_).cast<double>() + Vec3::Constant(0.5));
-  const double through_cell = distance_[indexOf(held)] - (point - center).norm() - slack_;
-  return std::max(through_cell, (point - inside).norm());
+  const double distance = distance_[indexOf(held)];
+  const double off_center = (point - center).norm() + slack_;
+  return {std::max(distance - off_center, (point - inside).norm()), distance + off_center};
 }
 
 }  // namespace smore

@@ -107,9 +107,10 @@ bool FclCollisionChecker::inCollision(const Pose& T_world_object) const {
 
 double FclCollisionChecker::clearance(const Pose& T_world_object, double enough) const {
   const double by_field = overlap_.fieldClearance(T_world_object, enough);
-  if (by_field > 0.0 || !trees_) return by_field;
-  if (!trees_->collide(T_world_object)) return 0.0;
-  return -kTouchingShare * voxelSize();
+  if (by_field != 0.0 || !trees_) return by_field;
+  if (trees_->collide(T_world_object)) return -kTouchingShare * voxelSize();
+  // FCL does not say how far the voxels are apart.
+  return enough > 0.0 ? std::max(0.0, overlap_.clearance(T_world_object, enough)) : 0.0;
 }
 
 }  // namespace smore

@@ -30,7 +30,7 @@ OccupiedVoxels scattered(unsigned seed, int count, int reach, double size) {
 }
 
 TEST(DistanceFieldTest, infiniteWithoutVoxels) {
-  EXPECT_EQ(DistanceField({0.03, {}}).lowerBound(Vec3::Zero()),
+  EXPECT_EQ(DistanceField({0.03, {}}).at(Vec3::Zero()).least,
             std::numeric_limits<double>::infinity());
 }
 
@@ -47,7 +47,7 @@ TEST(DistanceFieldTest, exactAtTheCentresOfVoxelsInsideTheBox) {
     for (std::int16_t y = low.y; y <= high.y; ++y) {
       for (std::int16_t z = low.z; z <= high.z; ++z) {
         const Vec3 center = voxelCenter({x, y, z}, 0.03);
-        ASSERT_NEAR(field.lowerBound(center), nearest(voxels, center), 1e-6);
+        ASSERT_NEAR(field.at(center).least, nearest(voxels, center), 1e-6);
       }
     }
   }
@@ -60,9 +60,10 @@ TEST(DistanceFieldTest, neverAboveTheDistanceAndWithinACellOfItInside) {
   for (int i = 0; i < 5000; ++i) {
     const Vec3 point = points.next().translation();
     const double truth = nearest(voxels, point);
-    ASSERT_LE(field.lowerBound(point), truth + 1e-6);
+    ASSERT_LE(field.at(point).least, truth + 1e-6);
+    ASSERT_GE(field.at(point).most, truth - 1e-6);
     if (point.cwiseAbs().maxCoeff() > 0.5) continue;
-    ASSERT_GE(field.lowerBound(point), truth - std::sqrt(3.0) * 0.05);
+    ASSERT_GE(field.at(point).least, truth - std::sqrt(3.0) * 0.05);
   }
 }
 
@@ -72,9 +73,11 @@ TEST(DistanceFieldTest, voxelsFarApartStayWithinTheMemoryLimit) {
   oracle::PoseSource points(5, 250.0, false);
   for (int i = 0; i < 500; ++i) {
     const Vec3 point = points.next().translation();
-    ASSERT_LE(field.lowerBound(point), nearest(voxels, point) + 1e-3);
+    const double truth = nearest(voxels, point);
+    ASSERT_LE(field.at(point).least, truth + 1e-3);
+    ASSERT_GE(field.at(point).most, truth - 1e-3);
   }
-  EXPECT_GT(field.lowerBound(Vec3(1000, 0, 0)), 700.0);
+  EXPECT_GT(field.at(Vec3(1000, 0, 0)).least, 700.0);
 }
 
 TEST(SphereTreeTest, spheresHoldAllPointsBelowThem) {

@@ -16,22 +16,25 @@ class CubeOverlap {
   CubeOverlap(const Eigen::Matrix3d& rotation, double edge);
 
   /// Distance along the best separating axis [m], a lower bound of the distance of the cubes;
-  /// negative: the least depth of overlap. `offset` of the second centre to the first, in the
-  /// first's axes [m].
-  double separation(const Vec3& offset) const;
+  /// negative: the least depth of overlap. Axes are tried only until one gives at least `enough`.
+  /// `offset` of the second centre to the first, in the first's axes [m].
+  double separation(const Vec3& offset, double enough) const;
 
-  /// Whether no axis separates the cubes by more than `limit` [m].
-  bool isCloserThan(const Vec3& offset, double limit) const;
-
-  /// Offsets at least this long cannot overlap [m].
+  /// Centres at least this far apart: the cubes do not overlap, however turned [m].
   double reach() const { return reach_; }
+
+  /// Centres nearer than this: the cubes overlap, however turned [m].
+  double core() const { return edge_; }
 
  private:
   static constexpr int kAxes = 15;
 
+  void add(const Vec3& axis, const Eigen::Matrix3d& rotation);
+
   std::array<Vec3, kAxes> axes_;     ///< of unit length
   std::array<double, kAxes> radii_;  ///< half-widths of both cubes on the axis, added [m]
   int count_ = 0;
+  double edge_;
   double reach_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace smore {
 
-/// Lower bounds of the distance to the nearest occupied voxel's centre, at any point in one
+/// Bounds of the distance to the nearest occupied voxel's centre, at any point in one
 /// look-up.
 ///
 /// A dense grid over the box around the occupied voxels holds exact distances between cell centres,
@@ -20,9 +20,15 @@ class DistanceField {
 
   explicit DistanceField(const OccupiedVoxels& voxels);
 
-  /// At most the distance [m] from `point` [m] to the nearest centre of an occupied voxel; may be
-  /// negative near one. Infinite without voxels.
-  double lowerBound(const Vec3& point) const;
+  /// Bounds of the distance [m] from a point to the nearest centre of an occupied voxel: `least`
+  /// may be negative near one; both are infinite without voxels.
+  struct Distance {
+    double least;
+    double most;
+  };
+
+  /// `point` [m] in the frame of the voxels.
+  Distance at(const Vec3& point) const;
 
  private:
   void chooseCells(const OccupiedVoxels& voxels);

@@ -12,7 +12,8 @@ class OcTree;
 
 namespace smore {
 
-/// FCL's octree against octree. Poses that a distance field of the world settles do not reach FCL.
+/// FCL's octree against octree. Poses that a distance field of the world settles do not reach FCL,
+/// and clearances are not FCL's.
 ///
 /// FCL's answer without contacts calls faces that coincide a collision (its box test pads by 1e-6),
 /// with contacts it does not. So the first says where there is none, and the depth of the contacts

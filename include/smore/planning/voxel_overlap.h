@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "smore/planning/cube_overlap.h"
 #include "smore/planning/distance_field.h"
 #include "smore/planning/sphere_tree.h"
+#include "smore/planning/voxel_bricks.h"
 
 namespace smore {
 
@@ -22,36 +22,36 @@ using VoxelPair = std::pair<std::uint32_t, std::uint32_t>;
 class VoxelOverlap {
  public:
   /// std::invalid_argument if the voxel sizes differ or are not positive.
-  VoxelOverlap(const OccupiedVoxels& object, const OccupiedVoxels& world);
+  VoxelOverlap(OccupiedVoxels object, OccupiedVoxels world);
 
   /// As CollisionChecker::clearance.
   double clearance(const Pose& T_world_object, double enough) const;
 
-  /// As `clearance`, by the distance field alone: a lower bound, 0 where some voxels are too near
-  /// for it to tell. Never negative.
+  /// As `clearance`, by the distance field alone: 0 where some voxels are too near for it to tell.
   double fieldClearance(const Pose& T_world_object, double enough) const;
 
   /// All pairs that overlap by more than kTouchingShare, in ascending order.
   std::set<VoxelPair> pairs(const Pose& T_world_object) const;
 
-  double voxelSize() const { return world_.voxelSize(); }
+  double voxelSize() const { return world_.voxel_size; }
 
   /// As CollisionChecker::objectRadius.
   double objectRadius() const { return object_radius_; }
 
  private:
   struct Search;
-  using PairVisitor = std::function<void(std::uint32_t world, double separation)>;
 
-  bool isTrivial() const;
+  bool isTrivial() const { return object_.keys.empty() || world_.keys.empty(); }
   double settle(const Search& search, std::uint32_t node, double best) const;
-  void visitNear(const Search& search, const Vec3& center, double gap,
-                 const PairVisitor& visit) const;
+  double measureNear(const CubeOverlap& cubes, const Vec3& center, double most) const;
+  template <typename Visitor>
+  void visitNear(const Vec3& center, double distance, const Visitor& visit) const;
 
-  std::vector<Vec3> object_centers_;
-  SphereTree object_;
-  VoxelGrid world_;
-  DistanceField field_;
+  OccupiedVoxels object_;
+  OccupiedVoxels world_;
+  SphereTree object_tree_;
+  VoxelBricks world_bricks_;
+  DistanceField world_field_;
   double object_radius_ = 0.0;
 };
 
