@@ -1,0 +1,108 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Compares collisions until the goal of several methods, from the JSON files of smore_experiment.
+
+    plot_results.py --output FILE.png RESULT.json [RESULT.json ...]
+
+Each trial is a dot, a box holds the middle half of a method's trials and a line marks their median; a
+cross is a trial that did not reach the goal. Files of one method are put together. Dashed lines are the
+paper's counts on its own scene.
+"""
+import argparse
+import json
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+# Section IV of the paper: object with two pegs, mean of ten trials.
+PAPER = (("SMORE", 96, "#3b6fb6"), ("C-space planner", 548, "#7a7a7a"), ("Soft Actor-Critic", 3136, "#b0763a"))
+COLORS = {"smore": "#1a9641", "paper": "#3b6fb6", "cspace": "#7a7a7a"}
+ORDER = ("smore", "paper", "cspace")
+SPREAD = 0.16  # of the dots around their method's place
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description="Plots collisions until the goal per method.")
+    parser.add_argument("results", nargs="+", help="JSON files of smore_experiment")
+    parser.add_argument("--output", required=True, help="picture to write")
+    parser.add_argument("--title", help="line above the picture (default: the scenarios' names)")
+    return parser.parse_args()
+
+
+def rank(method):
+    return (ORDER.index(method) if method in ORDER else len(ORDER), method)
+
+
+def read(files):
+    """Trials by method, and the scenarios' names."""
+    trials, scenarios = {}, []
+    for file in files:
+        result = json.loads(pathlib.Path(file).read_text())
+        trials.setdefault(result["method"], []).extend(result["trials"])
+        if result["scenario"] not in scenarios:
+            scenarios.append(result["scenario"])
+    return {method: trials[method] for method in sorted(trials, key=rank)}, scenarios
+
+
+def draw_method(axes, place, trials, color):
+    # A trial without a collision stands on the axis' lower end.
+    counts = np.maximum([trial["collisions"] for trial in trials], 0.8)
+    reached = np.array([trial["success"] for trial in trials])
+    axes.boxplot(
+        counts, positions=[place], widths=0.5, showfliers=False, patch_artist=True,
+        boxprops={"facecolor": color, "alpha": 0.25, "edgecolor": color},
+        medianprops={"color": color, "linewidth": 2.0},
+        whiskerprops={"color": color}, capprops={"color": color},
+    )
+    places = place + SPREAD * np.linspace(-1.0, 1.0, len(counts)) if len(counts) > 1 else np.array([place])
+    axes.scatter(places[reached], counts[reached], s=16, color=color, zorder=3)
+    axes.scatter(places[~reached], counts[~reached], s=30, marker="x", color="#c62828", zorder=3)
+    mean = np.mean([trial["collisions"] for trial in trials])
+    axes.annotate(
+        f"mean {mean:.3g}", (place, counts.max()), xytext=(0, 8), textcoords="offset points",
+        ha="center", fontsize=9, color=color,
+    )
+
+
+def draw(trials, title):
+    figure, axes = plt.subplots(figsize=(2.6 + 1.7 * max(len(trials), 2), 4.8), layout="constrained")
+    for name, count, color in PAPER:
+        axes.axhline(count, color=color, linestyle="--", linewidth=1.0, alpha=0.8)
+        axes.annotate(
+            f"{name} (publication): {count}", (1.0, count), xycoords=("axes fraction", "data"),
+            xytext=(-4, 3), textcoords="offset points", ha="right", fontsize=8, color=color,
+        )
+    labels = []
+    for place, (method, of_method) in enumerate(trials.items()):
+        draw_method(axes, place, of_method, COLORS.get(method, "#8e24aa"))
+        reached = sum(trial["success"] for trial in of_method)
+        labels.append(f"{method}\n{reached} of {len(of_method)} at the goal")
+    axes.set_yscale("log")
+    axes.set_ylim(0.7, 8000)
+    axes.set_xlim(-0.6, len(trials) + 0.4)
+    axes.set_xticks(range(len(trials)), labels)
+    axes.set_ylabel("collisions until the goal")
+    axes.grid(axis="y", which="major", alpha=0.3)
+    axes.set_title(title, fontsize=11)
+    return figure
+
+
+def main():
+    options = arguments()
+    try:
+        trials, scenarios = read(options.results)
+    except (OSError, KeyError, TypeError, ValueError) as problem:
+        sys.exit(f"plot_results: {problem}")
+    if not any(trials.values()):
+        sys.exit("plot_results: no trial in these files")
+    draw(trials, options.title or ", ".join(scenarios)).savefig(options.output, dpi=160)
+    print(options.output)
+
+
+if __name__ == "__main__":
+    main()
