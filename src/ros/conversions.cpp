@@ -227,19 +227,20 @@ Result<Path> fromMessage(const nav_msgs::Path& message) {
 }
 
 const std::vector<std::string>& cartesianJointNames() {
-  static const std::vector<std::string> names = {"x", "y", "z", "roll", "pitch", "yaw"};
+  static const std::vector<std::string> names = {"x_joint",   "y_joint",     "z_joint",
+                                                 "yaw_joint", "pitch_joint", "roll_joint"};
   return names;
 }
 
 std::vector<double> toCartesianJoints(const Pose& T_world_object) {
   const Vec3 position = T_world_object.translation();
   const Vec3 angles = rollPitchYaw(T_world_object);
-  return {position.x(), position.y(), position.z(), angles.x(), angles.y(), angles.z()};
+  return {position.x(), position.y(), position.z(), angles.z(), angles.y(), angles.x()};
 }
 
 Pose fromCartesianJoints(const std::vector<double>& positions) {
   return makePose({positions.at(0), positions.at(1), positions.at(2)},
-                  {positions.at(3), positions.at(4), positions.at(5)});
+                  {positions.at(5), positions.at(4), positions.at(3)});
 }
 
 trajectory_msgs::JointTrajectory toTrajectory(const Path& path, double linear_speed,

@@ -13,11 +13,13 @@
 #include "smore/contact/contact_sensing.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
+#include "smore/ros/throttle.h"
 
 namespace smore {
 namespace {
 
 constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
+constexpr double kTimeJump = 1.0;       // [s]; stamps that fall by less are merely out of order
 
 struct ForceTorqueParameters {
   FrameNames frames;
@@ -120,12 +122,17 @@ class ForceTorqueNode {
  private:
   void onWrench(const geometry_msgs::WrenchStamped& message) {
     last_wrench_ = ros::WallTime::now();
-    if (!waiting_.empty() && message.header.stamp < waiting_.back().header.stamp) {
-      ROS_WARN("time went back: forgetting wrenches and transforms");
-      waiting_.clear();
-      transforms_.clear();
-    }
+    if (message.header.stamp + ros::Duration(kTimeJump) < last_stamp_) restart();
+    last_stamp_ = message.header.stamp;
     waiting_.push_back(message);
+  }
+
+  /// After time went back: a recording begins again, or a simulator does.
+  void restart() {
+    ROS_WARN("time went back: forgetting wrenches and transforms, and taring anew");
+    waiting_.clear();
+    transforms_.clear();
+    sensing_ = ContactSensing(parameters_.sensing);
   }
 
   bool onTare(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
@@ -147,11 +154,10 @@ class ForceTorqueNode {
       } else if (!expired()) {
         return;
       } else {
-        ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "wrench dropped, its pose is not known: "
-                                                     << problem << "; check that tf gives '"
-                                                     << parameters_.frames.object << "' in '"
-                                                     << parameters_.frames.world
-                                                     << "' with the wrench's time");
+        if (pose_warning_.isDue())
+          ROS_WARN_STREAM("wrench dropped, its pose is not known: "
+                          << problem << "; check that tf gives '" << parameters_.frames.object
+                          << "' in '" << parameters_.frames.world << "' with the wrench's time");
       }
       waiting_.pop_front();
     }
@@ -193,7 +199,7 @@ class ForceTorqueNode {
     const bool was_tared = sensing_.tared();
     const Result<ContactObservation> observation = sensing_.process(sample);
     if (!observation) {
-      ROS_WARN_STREAM_THROTTLE(kWarningPeriod, observation.reason());
+      if (sample_warning_.isDue()) ROS_WARN_STREAM(observation.reason());
       publishUnsure(sample);
       return;
     }
@@ -226,16 +232,16 @@ class ForceTorqueNode {
       if (!was_tared) ROS_INFO("tared");
       tare_request_.finish();
     } else if (!sensing_.tareProblem().empty()) {
-      ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "tare refused: " << sensing_.tareProblem());
+      if (tare_warning_.isDue()) ROS_WARN_STREAM("tare refused: " << sensing_.tareProblem());
     }
   }
 
   void checkSilence() {
     if ((ros::WallTime::now() - last_wrench_).toSec() < parameters_.silence_timeout) return;
-    ROS_WARN_STREAM_THROTTLE(kWarningPeriod, "no wrench on '"
-                                                 << node_.resolveName(names::kWrench) << "' for "
-                                                 << parameters_.silence_timeout
-                                                 << " s; is the sensor's driver running?");
+    if (silence_warning_.isDue())
+      ROS_WARN_STREAM("no wrench on '" << node_.resolveName(names::kWrench) << "' for "
+                                       << parameters_.silence_timeout
+                                       << " s; is the sensor's driver running?");
   }
 
   ForceTorqueParameters parameters_;
@@ -252,6 +258,9 @@ class ForceTorqueNode {
   ros::ServiceServer tare_;
   std::deque<geometry_msgs::WrenchStamped> waiting_;  ///< for their poses, oldest first
   ros::WallTime last_wrench_;
+  ros::Time last_stamp_;  ///< of the newest wrench that came
+  Throttle pose_warning_{kWarningPeriod}, sample_warning_{kWarningPeriod};
+  Throttle tare_warning_{kWarningPeriod}, silence_warning_{kWarningPeriod};
   int last_contact_ = 0;
 };
 

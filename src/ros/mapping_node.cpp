@@ -14,6 +14,7 @@
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/scene_markers.h"
+#include "smore/ros/throttle.h"
 
 namespace smore {
 namespace {
@@ -183,15 +184,15 @@ class MappingNode {
   void onContact(const smore_msgs::ContactObservation& message) {
     const Result<ContactObservation> observation = fromMessage(message);
     if (!observation) {
-      ROS_ERROR_STREAM_THROTTLE(kWarningPeriod, "observation left out: " << observation.reason());
+      if (warning_.isDue()) ROS_ERROR_STREAM("observation left out: " << observation.reason());
       return;
     }
     if (message.header.frame_id != parameters_.frames.object ||
         message.world_frame != parameters_.frames.world) {
-      ROS_ERROR_STREAM_THROTTLE(kWarningPeriod,
-                                "observation left out: it is given in the frames '"
-                                    << message.world_frame << "' and '" << message.header.frame_id
-                                    << "'; give the listener and the mapping the same frames");
+      if (warning_.isDue())
+        ROS_ERROR_STREAM("observation left out: it is given in the frames '"
+                         << message.world_frame << "' and '" << message.header.frame_id
+                         << "'; give the listener and the mapping the same frames");
       return;
     }
     keeper_.push(*observation);
@@ -292,6 +293,7 @@ class MappingNode {
   std::vector<ros::ServiceServer> servers_;
   ros::WallTimer timer_;
   std::size_t lines_sent_ = 0;
+  Throttle warning_{kWarningPeriod};
 };
 
 void runMapping() {

@@ -3,6 +3,7 @@
 
 #include <ros/ros.h>
 
+#include <cstdio>
 #include <sstream>
 
 #include "smore/common/result.h"
@@ -108,9 +109,13 @@ void imposeScenarioValue(YAML::Node mapping, const std::string& key, double valu
 }
 
 int runNode(int argc, char** argv, const std::string& name, const std::function<void()>& run) {
+  // Lines appear as they are logged, to a pipe or file too.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   ros::init(argc, argv, name);
+  ros::start();  // else logging would end with the last node handle, before the errors below
   try {
     run();
+    ros::shutdown();
     return 0;
   } catch (const InputError& error) {
     logLines(error.what());

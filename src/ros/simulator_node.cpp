@@ -13,6 +13,7 @@
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/scene_markers.h"
+#include "smore/ros/throttle.h"
 #include "smore/simulation/simulated_robot.h"
 
 namespace smore {
@@ -120,20 +121,26 @@ class SimulatorNode {
   }
 
   void waitForListener() {
+    if (!lock_step_) return warnOfSilence();
     const ros::WallTime deadline =
         ros::WallTime::now() + ros::WallDuration(parameters_.listener_timeout);
     while (ros::ok() && lock_step_ && listenerIsBehind()) {
       const ros::WallDuration left = deadline - ros::WallTime::now();
       if (left.toSec() <= 0.0) {
         lock_step_ = false;
-        ROS_WARN_STREAM("no observation on '" << node_.resolveName(names::kContact) << "' for "
-                                              << parameters_.listener_timeout
-                                              << " s: going on at real time without contact "
-                                                 "reflex; is the force_torque node running?");
+        begin_ = ros::WallTime::now();
         return;
       }
       queue_.callAvailable(left);
     }
+  }
+
+  void warnOfSilence() {
+    if ((ros::WallTime::now() - begin_).toSec() < kStartUp || !warning_.isDue()) return;
+    ROS_WARN_STREAM("no observations on '"
+                    << node_.resolveName(names::kContact)
+                    << "': going on at real time without contact reflex; is the "
+                       "force_torque node running?");
   }
 
   /// Simulated seconds per second of wall time; 0 for no limit.
@@ -197,6 +204,8 @@ class SimulatorNode {
     joints_.publish(message);
   }
 
+  static constexpr double kWarningPeriod = 5.0;  // [s]
+  static constexpr double kStartUp = 5.0;  // [s]; nodes that start together find one another in it
   static constexpr double kCatchUp = 0.1;  // [s]; what is lost beyond is not made good
 
   SimulatorParameters parameters_;
@@ -209,8 +218,10 @@ class SimulatorNode {
   ros::ServiceServer reset_;
   double published_ = 0.0;     ///< stamp of the last sample [s]
   double acknowledged_ = 0.0;  ///< newest stamp among the listener's observations [s]
-  bool lock_step_ = true;
+  bool lock_step_ = false;     ///< from the listener's first observation on
+  ros::WallTime begin_ = ros::WallTime::now();
   std::uint32_t last_contact_ = 0;
+  Throttle warning_{kWarningPeriod};
   ros::WallTime next_step_;
   ros::Time last_clock_;
 };

@@ -46,8 +46,8 @@ Wrench fromMessage(const geometry_msgs::Wrench& message);
 Result<ContactObservation> fromMessage(const smore_msgs::ContactObservation& message);
 Result<Path> fromMessage(const nav_msgs::Path& message);
 
-/// Names of the Cartesian robot's joints: three prismatic ones along x, y, z of the world, then
-/// revolute ones that turn the object by roll, pitch and yaw about the fixed axes x, y, z.
+/// Names of the Cartesian robot's joints in their order from the world to the hand: prismatic along
+/// x, y and z, then revolute about z (yaw), y (pitch) and x (roll).
 const std::vector<std::string>& cartesianJointNames();
 
 /// Joint positions of the Cartesian robot at a pose, in the order of the names [m, rad].

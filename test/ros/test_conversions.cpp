@@ -184,7 +184,7 @@ TEST(Conversions, BadTrajectoriesAreRefusedAndEmptyOnesMeanStop) {
   bad.joint_names[2] = "elbow";
   EXPECT_FALSE(fromTrajectory(bad));
   bad = good;
-  bad.joint_names[2] = "x";
+  bad.joint_names[2] = bad.joint_names[0];
   EXPECT_FALSE(fromTrajectory(bad));
   bad = good;
   bad.joint_names.emplace_back("gripper");

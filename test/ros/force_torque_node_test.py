@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The listener alone, on generated wrenches and transforms."""
+
+import math
+import threading
+import unittest
+
+import rospy
+import rostest
+from geometry_msgs.msg import WrenchStamped
+from std_srvs.srv import Trigger
+
+from node_testing import DEADLINE, Recorder, WristSource, pose, start_node, transform, wait_until
+from smore.msg import ContactObservation
+from tf2_msgs.msg import TFMessage
+
+
+class ForceTorqueNode(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        start_node("force_torque_node_test")
+        cls.contact = Recorder("contact", ContactObservation)
+        cls.source = WristSource()
+        assert cls.contact.wait_for_publisher() and cls.source.wait_for_listener()
+        cls.source.send_for(0.3)
+        assert cls.wait_for_state(ContactObservation.FREE), "not tared by itself at the start"
+
+    @classmethod
+    def wait_for_state(cls, state):
+        return cls.contact.wait_for(lambda observation: observation.state == state)
+
+    def setUp(self):
+        stamp = self.source.send_for(0.1)
+        self.assertTrue(self.contact.wait_for(lambda message: message.header.stamp == stamp))
+        self.contact.clear()
+
+    def touch(self, force, torque, at=None, frame="object"):
+        """The observation with the line of a contact; the contact is over when it returns."""
+        self.source.send_for(0.1, force=force, torque=torque, at=at, frame=frame)
+        self.source.send_for(0.1, at=at)
+        observation = self.contact.wait_for(lambda message: message.has_line)
+        self.assertIsNotNone(observation, "no line of a contact of 0.1 s")
+        return observation
+
+    def test_each_sample_is_answered_with_its_own_stamp_and_pose(self):
+        stamps = [self.source.send(at=pose(0.001 * i, 0.2)) for i in range(50)]
+        self.assertTrue(self.contact.wait_for(lambda message: message.header.stamp == stamps[-1]))
+        answers = self.contact.messages()
+        self.assertEqual([answer.header.stamp for answer in answers], stamps)
+        for i, answer in enumerate(answers):
+            self.assertAlmostEqual(answer.pose.position.x, 0.001 * i, 9)
+            self.assertEqual(answer.header.frame_id, "object")
+            self.assertEqual(answer.world_frame, "world")
+
+    def test_the_line_is_the_papers(self):
+        # 10 N along -y at the point (0.3, 0, 0): the torque is r x F = (0, 0, -3).
+        line = self.touch((0, -10, 0), (0, 0, -3)).line
+        self.assertAlmostEqual(line.force, 10.0, 6)
+        self.assertAlmostEqual(line.pitch, 0.0, 6)
+        self.assertAlmostEqual(line.direction.y, -1.0, 6)
+        self.assertAlmostEqual(line.point.x, 0.3, 6)
+        self.assertAlmostEqual(line.point.y, 0.0, 6)
+
+    def test_each_contact_gives_one_line_and_a_new_id(self):
+        first = self.touch((0, -10, 0), (0, 0, 0))
+        second_id = first.contact_id + 1
+        self.source.send_for(0.2, force=(0, 10, 0))
+        self.assertTrue(self.contact.wait_for(lambda message: message.contact_id == second_id))
+        stamp = self.source.send_for(0.1)
+        self.assertTrue(self.contact.wait_for(lambda message: message.header.stamp == stamp))
+        lines = [message for message in self.contact.messages() if message.has_line]
+        self.assertEqual([message.contact_id for message in lines], [first.contact_id, second_id])
+
+    def test_a_wrench_of_another_frame_is_moved_into_the_object_frame(self):
+        # The sensor stands at (0, 0.5, 0) of the object, turned by a quarter about z: its x is the
+        # object's y. A force of 10 N along its x at its own origin is along y through (0, 0.5, 0).
+        mount = transform("object", "sensor", pose(0.0, 0.5, math.pi / 2), rospy.Time())
+        static = rospy.Publisher("/tf_static", TFMessage, queue_size=1, latch=True)
+        static.publish(TFMessage([mount]))
+        self.assertTrue(wait_until(lambda: static.get_num_connections() > 0))
+        line = self.touch((10, 0, 0), (0, 0, 0), frame="sensor").line
+        self.assertAlmostEqual(line.direction.y, 1.0, 6)
+        self.assertAlmostEqual(line.point.x, 0.0, 6)
+
+    def test_a_wrench_that_is_not_finite_says_nothing_and_harms_nothing(self):
+        for bad in (math.nan, math.inf):
+            stamp = self.source.send(force=(bad, 0, 0))
+            answer = self.contact.wait_for(lambda message: message.header.stamp == stamp)
+            self.assertEqual(answer.state, ContactObservation.UNSURE)
+            self.assertFalse(answer.has_line)
+        self.assertAlmostEqual(self.touch((0, 0, 8), (0, 0, 0)).line.force, 8.0, 6)
+
+    def test_a_wrench_without_a_pose_is_dropped_and_later_ones_come_through(self):
+        self.source.time += 20.0  # away from the poses of before
+        lost = self.source.send_for(0.02, with_pose=False, frame="nowhere")
+        last = self.source.send_for(1.0)
+        self.assertTrue(self.contact.wait_for(lambda message: message.header.stamp == last))
+        self.assertNotIn(lost, [message.header.stamp for message in self.contact.messages()])
+
+    def test_tare_takes_what_is_felt_now_for_nothing(self):
+        compensated = Recorder("wrench_compensated", WrenchStamped)
+        self.assertTrue(compensated.wait_for_publisher())
+        answer = []
+        tare = rospy.ServiceProxy("force_torque/tare", Trigger)
+        caller = threading.Thread(target=lambda: answer.append(tare()))
+        caller.start()
+        while caller.is_alive():
+            self.source.send(force=(3, 0, 0))
+            caller.join(0.001)
+        self.assertTrue(answer[0].success, answer[0].message)
+        compensated.clear()
+        stamp = self.source.send_for(0.05, force=(3, 0, 0))
+        felt = compensated.wait_for(lambda message: message.header.stamp == stamp)
+        self.assertAlmostEqual(felt.wrench.force.x, 0.0, 6)
+        caller = threading.Thread(target=lambda: answer.append(tare()))
+        caller.start()
+        while caller.is_alive():
+            self.source.send()
+            caller.join(0.001)
+        self.assertTrue(answer[1].success, answer[1].message)
+
+    def test_tare_with_a_silent_sensor_says_so(self):
+        answer = rospy.ServiceProxy("force_torque/tare", Trigger)()
+        self.assertFalse(answer.success)
+        self.assertIn("wrenches", answer.message)
+        # The request is still open: the next samples serve it.
+        self.source.send_for(0.4)
+        self.assertTrue(self.wait_for_state(ContactObservation.FREE))
+
+    def test_time_that_goes_back_begins_anew(self):
+        self.source.time = 0.5
+        stamp = self.source.send_for(0.5)
+        answer = self.contact.wait_for(lambda message: message.header.stamp == stamp, DEADLINE)
+        self.assertIsNotNone(answer)
+        self.assertEqual(answer.state, ContactObservation.FREE)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("smore", "force_torque_node_test", ForceTorqueNode)

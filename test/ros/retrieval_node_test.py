@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The retrieval alone; the test plays sensor, robot and planner."""
+
+import threading
+import unittest
+
+import actionlib
+import rospy
+import rostest
+from nav_msgs.msg import Path
+from std_srvs.srv import Trigger
+from trajectory_msgs.msg import JointTrajectory
+
+from node_testing import Recorder, pose, stamped, start_node
+from observations import ObservationSource
+from smore.msg import ContactObservation, RetrieveAction, RetrieveGoal
+from smore.srv import PlanPath, PlanPathResponse
+
+DEADLINE = rospy.Duration(30.0)
+
+
+class FakeArm:
+    """Publishes observations as fast as they are taken and follows commands, a step at a time."""
+
+    def __init__(self):
+        self.source = ObservationSource()
+        self.target = None
+        self.x = 0.0
+        self._stop = threading.Event()
+        self._thread = threading.Thread(target=self._run)
+        self._command = rospy.Subscriber("command", JointTrajectory, self._follow)
+
+    def _follow(self, message):
+        self.target = message.points[-1].positions[0] if message.points else self.x
+
+    def _run(self):
+        while not self._stop.wait(0.0005):
+            if self.target is not None:
+                step = max(-0.0004, min(0.0004, self.target - self.x))  # 0.2 m/s
+                self.x += step
+            self.source.publish(self.source.next(ContactObservation.FREE, self.x))
+
+    def __enter__(self):
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_):
+        self._stop.set()
+        self._thread.join()
+        self._command.unregister()
+
+
+class RetrievalNode(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        start_node("retrieval_node_test")
+        cls.client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
+        assert cls.client.wait_for_server(DEADLINE)
+        cls.refusal = ""
+        cls.requests = []
+        cls.planner = rospy.Service("plan_path", PlanPath, cls.plan)
+
+    @classmethod
+    def plan(cls, request):
+        cls.requests.append(request)
+        if cls.refusal:
+            return PlanPathResponse(success=False, message=cls.refusal)
+        path = Path()
+        path.poses = [request.start, request.goal]
+        return PlanPathResponse(success=True, path=path, risk=0.25)
+
+    def setUp(self):
+        type(self).refusal = ""
+        self.requests.clear()
+
+    def retrieve(self, goal=None):
+        self.client.send_goal(goal or RetrieveGoal())
+        self.assertTrue(self.client.wait_for_result(DEADLINE))
+        return self.client.get_result()
+
+    def test_without_a_sensor_it_says_what_is_missing(self):
+        result = self.retrieve()
+        self.assertFalse(result.success)
+        self.assertIn("no contact observations", result.message)
+
+    def test_it_moves_along_the_plan_to_the_goal(self):
+        with FakeArm() as arm:
+            result = self.retrieve()
+            self.assertTrue(result.success, result.message)
+            self.assertAlmostEqual(arm.x, -0.3, 3)
+        self.assertEqual(result.collisions, 0)
+        self.assertEqual(result.plans, 1)
+        self.assertAlmostEqual(result.path_length, 0.3, 2)
+
+    def test_it_asks_for_plans_on_maps_as_new_as_what_it_felt(self):
+        with FakeArm():
+            self.retrieve()
+        self.assertGreater(self.requests[0].not_before, rospy.Time())
+
+    def test_a_goal_of_the_callers_own_is_taken_in_the_world_frame_only(self):
+        with FakeArm() as arm:
+            self.assertTrue(self.retrieve(RetrieveGoal(goal=stamped(pose(-0.1)))).success)
+            self.assertAlmostEqual(arm.x, -0.1, 3)
+            result = self.retrieve(RetrieveGoal(goal=stamped(pose(-0.1), "base")))
+        self.assertFalse(result.success)
+        self.assertIn("'base'", result.message)
+
+    def test_a_sensor_that_falls_silent_in_a_motion_is_a_fault_and_the_robot_is_stopped(self):
+        commands = Recorder("command", JointTrajectory)
+        self.assertTrue(commands.wait_for_publisher())
+        with FakeArm():
+            self.client.send_goal(RetrieveGoal())
+            self.assertIsNotNone(commands.wait_for(lambda message: message.points))
+        self.assertTrue(self.client.wait_for_result(DEADLINE))
+        result = self.client.get_result()
+        self.assertFalse(result.success)
+        self.assertIn("no contact observation", result.message)
+        self.assertEqual(commands.messages()[-1].points, [])
+
+    def test_the_stop_service_ends_the_motion(self):
+        commands = Recorder("command", JointTrajectory)
+        self.assertTrue(commands.wait_for_publisher())
+        with FakeArm():
+            self.client.send_goal(RetrieveGoal())
+            self.assertIsNotNone(commands.wait_for(lambda message: message.points))
+            self.assertTrue(rospy.ServiceProxy("stop", Trigger)().success)
+            self.assertTrue(self.client.wait_for_result(DEADLINE))
+        self.assertIn("stopped by the user", self.client.get_result().message)
+        self.assertEqual(commands.messages()[-1].points, [])
+
+    def test_without_a_plan_it_gives_the_planners_reason(self):
+        type(self).refusal = "the planner is on strike"
+        with FakeArm():
+            result = self.retrieve()
+        self.assertFalse(result.success)
+        self.assertIn("on strike", result.message)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("smore", "retrieval_node_test", RetrievalNode)
