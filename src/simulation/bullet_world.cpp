@@ -10,12 +10,12 @@ namespace {
 constexpr int kSolverIterations = 100;
 
 // The solver stops when no row changes its relative velocity by more than this [m/s]: with half a
-// kilogram and a step of a millisecond a force of 5 mN.
-constexpr double kSolverVelocityTolerance = 1e-5;
+// kilogram and a step of a millisecond a force of 0.5 mN.
+constexpr double kSolverVelocityTolerance = 1e-6;
 
 // Share of a penetration that each step takes back. It moves the object without adding velocity, so
 // that no contact force comes of it.
-constexpr double kPenetrationRecovery = 0.2;
+constexpr double kPenetrationRecovery = 0.05;
 
 Pose principalFrame(const MassProperties& object) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(object.inertia);
