@@ -73,6 +73,14 @@ function(smore_test name)
   add_test(NAME ${name} COMMAND ${name})
 endfunction()
 
+# smore_test_program(NAME SOURCES a.cpp ... LINK libraries ...): a program that a test starts.
+function(smore_test_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK})
+  target_compile_options(${name} PRIVATE ${SMORE_WARNINGS})
+endfunction()
+
 # smore_rostest(NAME FILE.test [SOURCES a.cpp ... LINK libraries ...] [TIMEOUT seconds (120)])
 #
 # Lets ctest run a rostest, with a ROS master of its own on a free port. Sources become the gtest
