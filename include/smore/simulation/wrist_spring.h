@@ -21,9 +21,9 @@ struct WristDeflection {
 struct WristSpringParameters {
   double linear_stiffness = 10000.0;  ///< [N/m], positive: 5 N give way by half a millimetre
   double angular_stiffness = 2000.0;  ///< [N m/rad], positive: 5 N at a lever of 0.45 m do the same
-  /// Of each vibration mode of the object on the spring, in [0, 1]. At 0.7 a vibration of half a kilogram
-  /// falls to a twentieth in 30 ms, and the damper's share of the force at the first touch stays moderate
-  /// (10 N at 0.1 m/s).
+  /// Of each vibration mode of the object on the spring, in [0, 1]. At 0.7 a vibration of half a
+  /// kilogram falls to a twentieth in 30 ms, and the damper's share of the force at the first touch
+  /// stays moderate (10 N at 0.1 m/s).
   double damping_ratio = 0.7;
 };
 
