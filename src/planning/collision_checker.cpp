@@ -37,7 +37,7 @@ class MotionCheck {
 }  // namespace
 
 bool isMotionFree(const CollisionChecker& checker, const Pose& from, const Pose& to, double depth) {
-  if (checker.inCollision(from) || checker.inCollision(to)) return false;
+  if (checker.inCollision(to)) return false;
   return MotionCheck(checker, from, to, depth).isFree(0.0, 1.0);
 }
 

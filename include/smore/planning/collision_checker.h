@@ -34,9 +34,9 @@ class CollisionChecker {
   virtual double objectRadius() const = 0;
 };
 
-/// Whether the object can move from one pose to the other (as `interpolate` does) without a
-/// collision. True means: no occupied voxels overlap by more than `depth` [m, positive] anywhere on
-/// the way. Poses are checked until each stretch between them is free by its clearance or moves no
+/// Whether the object can move from a pose that is free to another (as `interpolate` does) without
+/// a collision. True means: no occupied voxels overlap by more than `depth` [m, positive] on the
+/// way. Poses are checked until each stretch between them is free by its clearance or moves no
 /// point by more than `depth` away from the nearest checked pose.
 bool isMotionFree(const CollisionChecker& checker, const Pose& from, const Pose& to, double depth);
 
