@@ -179,7 +179,7 @@ Scenario loadScenario(const std::string& file) {
 
 std::string findScenario(const std::string& name_or_path, const std::string& directory) {
   if (isReadableFile(name_or_path)) return name_or_path;
-  const std::string file = directory + "/" + name_or_path + ".yaml";
+  std::string file = directory + "/" + name_or_path + ".yaml";
   if (isReadableFile(file)) return file;
   std::string known;
   for (const std::string& name : scenarioNames(directory))

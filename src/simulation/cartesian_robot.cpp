@@ -78,12 +78,12 @@ Wrench CartesianRobot::springWrench(const Pose& T_world_hand,
                                     const HandVelocity& hand_velocity) const {
   const ObjectMotion motion = world_.motion();
   const Pose T_object_hand = motion.T_world_object.inverse() * T_world_hand;
-  const Eigen::Matrix3d R_object_world = motion.T_world_object.linear().transpose();
+  const Eigen::Matrix3d world_in_object = motion.T_world_object.linear().transpose();
   WristDeflection deflection;
   deflection.position = T_object_hand.translation();
   deflection.rotation = rotationVector(T_object_hand.linear());
-  deflection.angular_velocity = R_object_world * (hand_velocity.angular - motion.angular_velocity);
-  deflection.linear_velocity = R_object_world * (hand_velocity.linear - motion.linear_velocity) -
+  deflection.angular_velocity = world_in_object * (hand_velocity.angular - motion.angular_velocity);
+  deflection.linear_velocity = world_in_object * (hand_velocity.linear - motion.linear_velocity) -
                                deflection.angular_velocity.cross(object_.center);
   const Wrench wrench_object = spring_.wrench(deflection);
   return {motion.T_world_object.linear() * wrench_object.force,

@@ -17,11 +17,11 @@ enum class OnContact { kReset, kRetreat };
 
 /// Errors of the simulated wrist sensor, per axis.
 struct WrenchNoise {
-  double force_stddev = 0.0;          ///< [N]
-  double torque_stddev = 0.0;         ///< [N m]
-  Vec3 force_bias = Vec3::Zero();     ///< [N]
-  Vec3 torque_bias = Vec3::Zero();    ///< [N m]
-  double force_drift = 0.0;           ///< random walk [N per square root of a second]
+  double force_stddev = 0.0;        ///< [N]
+  double torque_stddev = 0.0;       ///< [N m]
+  Vec3 force_bias = Vec3::Zero();   ///< [N]
+  Vec3 torque_bias = Vec3::Zero();  ///< [N m]
+  double force_drift = 0.0;         ///< random walk [N per square root of a second]
 };
 
 /// Errors added to each line of action, as standard deviations per axis.
@@ -43,38 +43,38 @@ struct Scenario {
   double voxel_size = 0.03;  ///< [m]
   Motion motion = Motion::kPlanar;
   RobotKind robot = RobotKind::kCartesian;
-  std::vector<Shape> object;       ///< poses in the object frame
-  std::vector<Shape> environment;  ///< poses in the world frame
-  Pose start = Pose::Identity();   ///< T_world_object
-  Pose goal = Pose::Identity();    ///< T_world_object
+  std::vector<Shape> object;              ///< poses in the object frame
+  std::vector<Shape> environment;         ///< poses in the world frame
+  Pose start = Pose::Identity();          ///< T_world_object
+  Pose goal = Pose::Identity();           ///< T_world_object
   double goal_position_tolerance = 0.02;  ///< [m]
   double goal_angle_tolerance = 0.1;      ///< [rad]
-  Bounds workspace;                ///< of the object frame's origin in the world [m]
-  double friction = 0.3;           ///< Coulomb coefficient of the contact pair
-  double linear_speed = 0.1;       ///< of the object frame [m/s]
-  double angular_speed = 0.5;      ///< of the object frame [rad/s]
-  double contact_force = 5.0;      ///< filtered force at or above: contact [N]
-  double free_force = 0.5;         ///< filtered force below: free space [N]
+  Bounds workspace;                       ///< of the object frame's origin in the world [m]
+  double friction = 0.3;                  ///< Coulomb coefficient of the contact pair
+  double linear_speed = 0.1;              ///< of the object frame [m/s]
+  double angular_speed = 0.5;             ///< of the object frame [rad/s]
+  double contact_force = 5.0;             ///< filtered force at or above: contact [N]
+  double free_force = 0.5;                ///< filtered force below: free space [N]
   WrenchNoise wrench_noise;
   LineNoise line_noise;
   OnContact on_contact = OnContact::kReset;
   int reconstruct_touches = 300;
   Perturbation perturb;
-  double object_mass = 0.5;        ///< [kg]
+  double object_mass = 0.5;                  ///< [kg]
   Pose T_world_base = Pose::Identity();      ///< ur5e only: base_link
   Pose T_gripper_object = Pose::Identity();  ///< ur5e only: object frame in the grasp frame
 
   MotionSpace motionSpace() const { return {motion, start, workspace}; }
 };
 
-/// Reads a scenario file. InputError with every problem, one a line (file, key, remedy): unreadable or
-/// malformed files, unknown or missing keys, impossible values, start or goal outside of the workspace,
-/// a concave mesh for the object. Whether start and goal are free of contact is checked by the
-/// simulation, which knows the shapes' geometry.
+/// Reads a scenario file. InputError with every problem, one a line (file, key, remedy): unreadable
+/// or malformed files, unknown or missing keys, impossible values, start or goal outside of the
+/// workspace, a concave mesh for the object. Whether start and goal are free of contact is checked
+/// by the simulation, which knows the shapes' geometry.
 Scenario loadScenario(const std::string& file);
 
-/// The file that `name_or_path` means: itself if it is a readable file, else NAME.yaml in `directory`.
-/// InputError that lists the scenarios of `directory` where neither exists.
+/// The file that `name_or_path` means: itself if it is a readable file, else NAME.yaml in
+/// `directory`. InputError that lists the scenarios of `directory` where neither exists.
 std::string findScenario(const std::string& name_or_path, const std::string& directory);
 
 }  // namespace smore

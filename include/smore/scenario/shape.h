@@ -27,7 +27,8 @@ struct SphereShape {
 struct MeshShape {
   std::string file;
   std::vector<Vec3> vertices;
-  std::vector<Eigen::Vector3i> triangles;  ///< indices into vertices, counter-clockwise from outside
+  std::vector<Eigen::Vector3i>
+      triangles;  ///< indices into vertices, counter-clockwise from outside
 };
 
 /// One solid of the object or the environment.
@@ -36,9 +37,9 @@ struct Shape {
   Pose pose = Pose::Identity();  ///< of the solid in its parent frame (object or world)
 };
 
-/// Signed distance of a point [m], in the shapes' parent frame, to the union of the solids: negative
-/// inside, 0 on the surface. Inside of overlapping solids the magnitude is a lower bound of the depth.
-/// Infinity for an empty list.
+/// Signed distance of a point [m], in the shapes' parent frame, to the union of the solids:
+/// negative inside, 0 on the surface. Inside of overlapping solids the magnitude is a lower bound
+/// of the depth. Infinity for an empty list.
 double signedDistance(const std::vector<Shape>& shapes, const Vec3& point);
 
 /// Smallest axis-aligned box around the shapes, in their parent frame.
