@@ -4,15 +4,14 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 #include <tf2/buffer_core.h>
-#include <tf2_ros/transform_listener.h>
+#include <tf2_msgs/TFMessage.h>
 
-#include <condition_variable>
 #include <deque>
-#include <mutex>
 
 #include "smore/contact/contact_sensing.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
+#include "smore/ros/tare_request.h"
 #include "smore/ros/throttle.h"
 
 namespace smore {
@@ -29,23 +28,23 @@ struct ForceTorqueParameters {
   ContactSensingParameters sensing;
 };
 
-void imposeScenario(const Scenario& scenario, const std::string& source, YAML::Node parameters) {
-  YAML::Node detector = parameters["detector"];
-  imposeScenarioValue(detector, "contact_force", scenario.contact_force, source + ": detector");
-  imposeScenarioValue(detector, "free_force", scenario.free_force, source + ": detector");
-  YAML::Node line = parameters["line"];
-  imposeScenarioValue(line, "force_stddev", scenario.wrench_noise.force_stddev, source + ": line");
-  imposeScenarioValue(line, "torque_stddev", scenario.wrench_noise.torque_stddev,
-                      source + ": line");
-  imposeScenarioValue(line, "added_direction_stddev", scenario.line_noise.direction,
-                      source + ": line");
-  imposeScenarioValue(line, "added_offset_stddev", scenario.line_noise.offset, source + ": line");
+void imposeScenario(const Scenario& scenario, YAML::Node parameters, ParameterReader* reader) {
+  const auto impose = [&](const char* group, const char* key, double value) {
+    imposeScenarioValue(parameters, group, key, value, reader);
+  };
+  impose("detector", "contact_force", scenario.contact_force);
+  impose("detector", "free_force", scenario.free_force);
+  impose("line", "force_stddev", scenario.wrench_noise.force_stddev);
+  impose("line", "torque_stddev", scenario.wrench_noise.torque_stddev);
+  impose("line", "added_direction_stddev", scenario.line_noise.direction);
+  impose("line", "added_offset_stddev", scenario.line_noise.offset);
 }
 
 ForceTorqueParameters readParameters(YAML::Node mapping, const std::string& source) {
   ParameterReader reader(mapping, source);
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
-  if (scenario) imposeScenario(*scenario, source, mapping);
+  // After a scenario that cannot be read, its error is all there is to say.
+  if (reader.has("scenario")) imposeScenario(scenario.value_or(Scenario()), mapping, &reader);
   ForceTorqueParameters parameters;
   parameters.frames = readFrameNames(&reader);
   reader.number("transform_timeout", &parameters.transform_timeout, {0.01, 60.0});
@@ -55,37 +54,6 @@ ForceTorqueParameters readParameters(YAML::Node mapping, const std::string& sour
   reader.finish();
   return parameters;
 }
-
-/// A request of a service thread to the sensing thread, and its answer.
-class TareRequest {
- public:
-  /// Asks for a tare and waits; false if it is not done within `timeout` [s].
-  bool ask(double timeout) {
-    std::unique_lock<std::mutex> lock(mutex_);
-    asked_ = true;
-    done_ = false;
-    return changed_.wait_for(lock, std::chrono::duration<double>(timeout), [&] { return done_; });
-  }
-
-  /// Whether somebody asked since the last call.
-  bool take() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return std::exchange(asked_, false);
-  }
-
-  void finish() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (asked_) return;
-    done_ = true;
-    changed_.notify_all();
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool asked_ = false;
-  bool done_ = false;
-};
 
 /// Turns wrenches into contact observations. Wrenches and transforms arrive on one queue, handled
 /// by the main thread; a wrench waits until the pose at its own stamp is known. Services have a
@@ -97,7 +65,10 @@ class ForceTorqueNode {
     node_.setCallbackQueue(&queue_);
     service_node_.setCallbackQueue(&service_queue_);
     const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
-    listener_ = std::make_unique<tf2_ros::TransformListener>(transforms_, node_, false, hints);
+    tf_ = node_.subscribe(names::kTf, names::kStreamQueue, &ForceTorqueNode::onTransforms, this,
+                          hints);
+    tf_static_ = node_.subscribe(names::kTfStatic, names::kStreamQueue,
+                                 &ForceTorqueNode::onStaticTransforms, this);
     contact_ =
         node_.advertise<smore_msgs::ContactObservation>(names::kContact, names::kObservationQueue);
     compensated_ = node_.advertise<geometry_msgs::WrenchStamped>(names::kWrenchCompensated,
@@ -122,9 +93,29 @@ class ForceTorqueNode {
  private:
   void onWrench(const geometry_msgs::WrenchStamped& message) {
     last_wrench_ = ros::WallTime::now();
-    if (message.header.stamp + ros::Duration(kTimeJump) < last_stamp_) restart();
+    if (wentBack(message.header.stamp, last_stamp_)) restart();
     last_stamp_ = message.header.stamp;
     waiting_.push_back(message);
+  }
+
+  void onTransforms(const tf2_msgs::TFMessage& message) {
+    for (const geometry_msgs::TransformStamped& transform : message.transforms) {
+      if (transform.child_frame_id == parameters_.frames.object) {
+        if (wentBack(transform.header.stamp, last_pose_)) restart();
+        last_pose_ = transform.header.stamp;
+      }
+      transforms_.setTransform(transform, names::kTf, false);
+    }
+  }
+
+  void onStaticTransforms(const tf2_msgs::TFMessage& message) {
+    for (const geometry_msgs::TransformStamped& transform : message.transforms) {
+      transforms_.setTransform(transform, names::kTfStatic, true);
+    }
+  }
+
+  static bool wentBack(const ros::Time& stamp, const ros::Time& last) {
+    return stamp + ros::Duration(kTimeJump) < last;
   }
 
   /// After time went back: a recording begins again, or a simulator does.
@@ -132,6 +123,7 @@ class ForceTorqueNode {
     ROS_WARN("time went back: forgetting wrenches and transforms, and taring anew");
     waiting_.clear();
     transforms_.clear();
+    last_stamp_ = last_pose_ = ros::Time();
     sensing_ = ContactSensing(parameters_.sensing);
   }
 
@@ -252,13 +244,13 @@ class ForceTorqueNode {
   ros::CallbackQueue service_queue_;
   ros::NodeHandle node_;
   ros::NodeHandle service_node_{"~"};
-  std::unique_ptr<tf2_ros::TransformListener> listener_;
   ros::Publisher contact_, compensated_;
-  ros::Subscriber wrench_;
+  ros::Subscriber wrench_, tf_, tf_static_;
   ros::ServiceServer tare_;
   std::deque<geometry_msgs::WrenchStamped> waiting_;  ///< for their poses, oldest first
   ros::WallTime last_wrench_;
   ros::Time last_stamp_;  ///< of the newest wrench that came
+  ros::Time last_pose_;   ///< of the newest pose that came
   Throttle pose_warning_{kWarningPeriod}, sample_warning_{kWarningPeriod};
   Throttle tare_warning_{kWarningPeriod}, silence_warning_{kWarningPeriod};
   int last_contact_ = 0;

@@ -95,17 +95,18 @@ FrameNames readFrameNames(ParameterReader* reader) {
   return frames;
 }
 
-void imposeScenarioValue(YAML::Node mapping, const std::string& key, double value,
-                         const std::string& source) {
+void imposeScenarioValue(YAML::Node mapping, const std::string& group, const std::string& key,
+                         double value, ParameterReader* reader) {
+  YAML::Node values = mapping[group];
   double given = value;
-  const YAML::Node present = mapping[key];
+  const YAML::Node present = values[key];
   if (present.IsDefined() && YAML::convert<double>::decode(present, given) && given != value) {
-    std::ostringstream message;
-    message << source << ": " << key << ": is " << given << " here and " << value
+    std::ostringstream problem;
+    problem << "is " << given << " here and " << value
             << " in the scenario; remove it here, the scenario decides";
-    throw InputError(message.str());
+    reader->error(group + "." + key, problem.str());
   }
-  mapping[key] = value;
+  values[key] = value;
 }
 
 int runNode(int argc, char** argv, const std::string& name, const std::function<void()>& run) {

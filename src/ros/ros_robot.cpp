@@ -4,7 +4,6 @@
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 #include "smore/ros/names.h"
@@ -30,41 +29,6 @@ constexpr int kMostResumes = 50;
 double gap(const Pose& a, const Pose& b) { return distanceBetween(a, b) + angleBetween(a, b); }
 
 }  // namespace
-
-void ObservationStream::push(const ContactObservation& observation) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    latest_ = observation;
-    if (open_) queue_.push_back(observation);
-  }
-  arrived_.notify_all();
-}
-
-void ObservationStream::open() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  queue_.clear();
-  open_ = true;
-}
-
-void ObservationStream::close() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  queue_.clear();
-  open_ = false;
-}
-
-std::optional<ContactObservation> ObservationStream::next(double timeout) {
-  std::unique_lock<std::mutex> lock(mutex_);
-  const auto some = [&] { return !queue_.empty(); };
-  if (!arrived_.wait_for(lock, std::chrono::duration<double>(timeout), some)) return std::nullopt;
-  const ContactObservation observation = queue_.front();
-  queue_.pop_front();
-  return observation;
-}
-
-std::optional<ContactObservation> ObservationStream::latest() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return latest_;
-}
 
 struct RosRobot::Motion {
   Path path;
@@ -227,8 +191,9 @@ RosRobot::Step RosRobot::advance(Motion* motion) {
   }
   const auto observation = stream_.next(parameters_.silence_timeout);
   if (!observation) {
-    motion->reason = "no contact observation for " + std::to_string(parameters_.silence_timeout) +
-                     " s during a motion; are sensor, robot and force_torque node up?";
+    motion->reason =
+        "no contact observation came for so long during a motion that the sensor must be "
+        "taken for dead; are sensor, robot and force_torque node up?";
     return Step::kFault;
   }
   const Pose& here = observation->T_world_object;

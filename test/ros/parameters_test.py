@@ -74,7 +74,7 @@ class Parameters(unittest.TestCase):
     def test_a_threshold_other_than_the_scenarios_is_refused(self):
         parameters = shipped("force_torque")
         parameters["detector"]["contact_force"] = 7.0
-        self.refused("force_torque", parameters, "detector: contact_force", "7", "scenario")
+        self.refused("force_torque", parameters, "detector.contact_force", "7", "scenario")
 
     def test_values_out_of_range_are_refused(self):
         parameters = shipped("simulator")

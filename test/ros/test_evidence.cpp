@@ -165,7 +165,7 @@ TEST_P(Replica, AssessesPosesByTheWorkspace) {
 INSTANTIATE_TEST_SUITE_P(Methods, Replica,
                          testing::Values(MethodKind::kPaper, MethodKind::kCspace,
                                          MethodKind::kSmore),
-                         [](const auto& info) { return methodName(info.param); });
+                         [](const auto& method) { return methodName(method.param); });
 
 }  // namespace
 }  // namespace smore

@@ -35,10 +35,10 @@ MethodKind readMethod(ParameterReader* reader);
 /// Reads the keys `world_frame` and `object_frame`.
 FrameNames readFrameNames(ParameterReader* reader);
 
-/// Puts the scenario's `value` under `key` into `mapping`, where the scenario decides on a quantity
-/// that is a parameter too. InputError naming `source` and key if another value stands there.
-void imposeScenarioValue(YAML::Node mapping, const std::string& key, double value,
-                         const std::string& source);
+/// Puts the scenario's `value` under `group`.`key` into `mapping`, where the scenario decides on a
+/// quantity that is a parameter too. If another value stands there, an error is noted in `reader`.
+void imposeScenarioValue(YAML::Node mapping, const std::string& group, const std::string& key,
+                         double value, ParameterReader* reader);
 
 /// Initialises ROS as node `name` and calls `run`. An InputError becomes one fatal log message a
 /// line and exit code 2, any other exception one message and exit code 1.

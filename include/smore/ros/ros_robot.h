@@ -5,14 +5,11 @@
 #include <ros/ros.h>
 
 #include <atomic>
-#include <condition_variable>
-#include <deque>
-#include <mutex>
-#include <optional>
 #include <string>
 
 #include "smore/common/robot.h"
 #include "smore/ros/conversions.h"
+#include "smore/ros/observation_stream.h"
 
 namespace smore {
 
@@ -22,30 +19,6 @@ struct RosRobotParameters {
   double silence_timeout = 5.0;  ///< wall time without an observation that is a fault [s]
   double ready_timeout = 60.0;   ///< wall time to wait for a tared sensor at the start [s]
   std::string reset_service;     ///< sets the robot to the start; empty: it retreats all the way
-};
-
-/// Contact observations on their way to the thread that follows a motion.
-class ObservationStream {
- public:
-  void push(const ContactObservation& observation);
-
-  /// From now on observations are kept for `next`; what came before is not.
-  void open();
-  /// Keeps the latest only.
-  void close();
-
-  /// The next observation since `open`; nothing if none comes within `timeout` of wall time [s].
-  std::optional<ContactObservation> next(double timeout);
-
-  /// The newest of all; nothing before the first.
-  std::optional<ContactObservation> latest() const;
-
- private:
-  mutable std::mutex mutex_;
-  std::condition_variable arrived_;
-  std::deque<ContactObservation> queue_;
-  std::optional<ContactObservation> latest_;
-  bool open_ = false;
 };
 
 /// A robot behind `command` and `contact`, whose observations say where it is and what it touches.

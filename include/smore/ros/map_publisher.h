@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+
+#include <string>
+
+#include "smore/ros/map_conversions.h"
+#include "smore/ros/names.h"
+
+namespace smore {
+
+/// Everything published of one of the two maps. Each topic sends a revision once, when somebody
+/// listens; what comes later finds the last one latched.
+class MapPublisher {
+ public:
+  MapPublisher(ros::NodeHandle node, const std::string& space, const std::string& frame,
+               const MapColors& colors, double min_probability)
+      : frame_(frame), colors_(colors), min_probability_(min_probability) {
+    ros::NodeHandle map_node(node, space);
+    map_node.setCallbackQueue(node.getCallbackQueue());
+    full_.open<octomap_msgs::Octomap>(&map_node, names::kOctomapFull);
+    binary_.open<octomap_msgs::Octomap>(&map_node, names::kOctomapBinary);
+    cloud_.open<sensor_msgs::PointCloud2>(&map_node, names::kPointCloud);
+    cells_.open<visualization_msgs::MarkerArray>(&map_node, names::kOccupiedCells);
+  }
+
+  bool isDue(std::uint64_t revision) const {
+    return full_.isDue(revision) || binary_.isDue(revision) || cloud_.isDue(revision) ||
+           cells_.isDue(revision);
+  }
+
+  void publish(const VoxelGrid& grid, std::uint64_t revision, const ros::Time& stamp) {
+    const std_msgs::Header header = headerAt(stamp);
+    full_.send(revision, [&] { return fullOctomap(grid, header); });
+    binary_.send(revision, [&] { return binaryOctomap(grid, header); });
+    cloud_.send(revision, [&] { return occupiedCloud(grid, header); });
+    cells_.send(revision, [&] { return cellMarkers(grid, colors_, min_probability_, header); });
+  }
+
+  std_msgs::Header headerAt(const ros::Time& stamp) const {
+    std_msgs::Header header;
+    header.stamp = stamp;
+    header.frame_id = frame_;
+    return header;
+  }
+
+ private:
+  class Topic {
+   public:
+    template <typename Message>
+    void open(ros::NodeHandle* node, const char* name) {
+      publisher_ = node->advertise<Message>(name, names::kLatestQueue, true);
+    }
+    bool isDue(std::uint64_t revision) const {
+      return sent_ != revision + 1 && publisher_.getNumSubscribers() > 0;
+    }
+    template <typename Make>
+    void send(std::uint64_t revision, Make make) {
+      if (!isDue(revision)) return;
+      publisher_.publish(make());
+      sent_ = revision + 1;
+    }
+
+   private:
+    ros::Publisher publisher_;
+    std::uint64_t sent_ = 0;  ///< revision last sent plus one; 0: none
+  };
+
+  std::string frame_;
+  MapColors colors_;
+  double min_probability_;
+  Topic full_, binary_, cloud_, cells_;
+};
+
+}  // namespace smore
