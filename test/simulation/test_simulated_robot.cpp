@@ -205,6 +205,22 @@ TEST(SimulatedRobot, retreatsFromContactWithoutResidualForce) {
   EXPECT_TRUE(robot->contacts().empty());
 }
 
+// Rolled over, moved through, rolled back: the shipped spatial scene has a way out.
+TEST(SimulatedRobot, passesTheSlitOnItsSide) {
+  const Scenario scenario = loadScenario(SMORE_SOURCE_DIR "/config/scenarios/slit.yaml");
+  const auto robot = makeSimulatedRobot(scenario, 1);
+  const Vec3 on_its_side(M_PI_2, 0, 0);
+  const Path path{makePose(Vec3::Zero(), on_its_side), makePose(Vec3(-1, 0, 0), on_its_side),
+                  scenario.goal};
+  robot->follow(path);
+  while (robot->moving()) ASSERT_LT(robot->advance().wrench.force.norm(), 1e-6);
+  robot->place(scenario.start);
+  robot->follow({scenario.goal});
+  while (robot->moving() && robot->advance().wrench.force.norm() < 5.0) {
+  }
+  EXPECT_TRUE(robot->moving());
+}
+
 TEST(SimulatedRobot, otherRobotsAreRefusedWithARemedy) {
   Scenario scenario = reference();
   scenario.robot = RobotKind::kUr5e;
