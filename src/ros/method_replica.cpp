@@ -19,7 +19,7 @@ bool MethodReplica::extend(const EvidencePart& part) {
   if (part.first == size_) {
     for (const ContactObservation& observation : part.observations) method_.observe(observation);
     size_ += part.observations.size();
-    if (method_.maps->revision() - first_revision_ == part.changes) return true;
+    if (learnsNoMaps() || method_.maps->revision() - first_revision_ == part.changes) return true;
   }
   restart(0);
   return false;

@@ -34,7 +34,8 @@ class MethodReplica {
   std::uint64_t size() const { return size_; }
 
   /// Takes a part that follows what is here; one of another epoch starts anew. False, and all is
-  /// forgotten, if the part does not fit or the maps do not change as often as the mapping's.
+  /// forgotten, if the part does not fit or the maps do not change as often as the mapping's
+  /// (where the method learns maps at all).
   bool extend(const EvidencePart& part);
 
   Result<Plan> plan(const Pose& start, const Pose& goal);
@@ -48,6 +49,8 @@ class MethodReplica {
 
  private:
   void restart(std::uint64_t epoch);
+  /// Whether it remembers something else than maps, which have nothing to agree with.
+  bool learnsNoMaps() const { return method_.memory != nullptr; }
 
   MethodKind kind_;
   Scenario scenario_;
