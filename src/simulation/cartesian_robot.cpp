@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "smore/common/result.h"
+
 namespace smore {
 namespace {
 
@@ -13,6 +15,14 @@ constexpr int kSubstepsPerSample = 2;  // 500 Hz, as the UR5e's wrist sensor
 Vec3 rotationVector(const Eigen::Matrix3d& rotation) {
   const Eigen::AngleAxisd turn(rotation);
   return turn.angle() * turn.axis();
+}
+
+void requireFinite(const Pose& pose) {
+  if (!isFinite(pose)) {
+    throw InputError(
+        "a commanded pose has a value that is not finite; send finite positions and "
+        "a unit quaternion");
+  }
 }
 
 }  // namespace
@@ -25,7 +35,13 @@ CartesianRobot::CartesianRobot(const Scenario& scenario, std::uint64_t seed)
       sensor_(scenario.wrench_noise, kSubstepsPerSample * kStep, seed),
       wrench_origin_(scenario.start.translation()) {}
 
+void CartesianRobot::follow(const Path& path) {
+  for (const Pose& pose : path) requireFinite(pose);
+  hand_.follow(path);
+}
+
 void CartesianRobot::place(const Pose& T_world_object) {
+  requireFinite(T_world_object);
   hand_.place(T_world_object);
   hand_velocity_ = {};
   world_.place(T_world_object);

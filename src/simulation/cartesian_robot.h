@@ -18,7 +18,7 @@ class CartesianRobot : public SimulatedRobot {
  public:
   CartesianRobot(const Scenario& scenario, std::uint64_t seed);
 
-  void follow(const Path& path) override { hand_.follow(path); }
+  void follow(const Path& path) override;
   void stop() override { hand_.stop(); }
   void place(const Pose& T_world_object) override;
   bool moving() const override { return hand_.moving(); }

@@ -221,6 +221,37 @@ TEST(SimulatedRobot, passesTheSlitOnItsSide) {
   EXPECT_TRUE(robot->moving());
 }
 
+// A tetrahedron with one face pushed in: concave, a surface to the physics engine. Its hollow is
+// open towards (1, 1, 1); its flat face at z = 0 is pressed from below by a convex mesh.
+TEST(SimulatedRobot, meshesTouchWhereTheirFacesAre) {
+  MeshShape hollow;
+  hollow.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {0.9, 0.9, 0.9}};
+  hollow.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 4}, {2, 3, 4}, {3, 1, 4}};
+  MeshShape wedge;
+  wedge.vertices = {{-0.1, -0.1, 0}, {0.1, -0.1, 0}, {0, 0.2, 0}, {0, 0, 0.1}};
+  wedge.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const std::vector<Shape> object{{wedge, Pose::Identity()}};
+  const auto robot = makeSimulatedRobot(sceneOf(object, {{hollow, Pose::Identity()}}), 1);
+  robot->place(makePose(Vec3(0.5, 0.5, -0.2)));
+  const WrenchSample sample = press(robot.get(), makePose(Vec3(0.5, 0.5, 0)), 15.0);
+  EXPECT_NEAR(robot->pose().translation().z(), -0.1, 2e-3);
+  EXPECT_LT(sample.wrench.force.z(), -2.0);
+  EXPECT_LT(sample.wrench.force.head<2>().norm(), 0.01);
+  const Wrench sum = sumOf(robot->contacts(), robot->pose());
+  EXPECT_NEAR((sum.force - sample.wrench.force).norm(), 0.0, 1e-3);
+}
+
+TEST(SimulatedRobot, refusesPosesThatAreNotFinite) {
+  const auto robot = makeSimulatedRobot(reference(), 1);
+  Pose broken = Pose::Identity();
+  broken.translation().x() = std::nan("");
+  robot->follow({makePose(Vec3(0.01, 0, 0))});
+  EXPECT_THROW(robot->follow({Pose::Identity(), broken}), InputError);
+  EXPECT_THROW(robot->place(broken), InputError);
+  runToEnd(robot.get());
+  EXPECT_DOUBLE_EQ(robot->pose().translation().x(), 0.01);
+}
+
 TEST(SimulatedRobot, otherRobotsAreRefusedWithARemedy) {
   Scenario scenario = reference();
   scenario.robot = RobotKind::kUr5e;

@@ -24,13 +24,14 @@ class SimulatedRobot {
   virtual ~SimulatedRobot() = default;
 
   /// Replaces the commanded motion: straight to the first pose, then along `path` at the scenario's
-  /// speed. Empty: stay here.
+  /// speed. Empty: stay here. InputError for a pose that is not finite; the motion goes on as it
+  /// was.
   virtual void follow(const Path& path) = 0;
 
   /// Ends the commanded motion at the present pose, at once.
   virtual void stop() = 0;
 
-  /// Sets the robot to a pose, at rest, in no time.
+  /// Sets the robot to a pose, at rest, in no time. InputError for a pose that is not finite.
   virtual void place(const Pose& T_world_object) = 0;
 
   /// Whether a commanded motion has not reached its end.
