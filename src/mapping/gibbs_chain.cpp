@@ -30,33 +30,27 @@ void forSetBits(const CandidateBits& bits, Visit visit) {
 }  // namespace
 
 GibbsChain::GibbsChain(const std::vector<ContactHypotheses>& contacts,
-                       const FreeSpaceEvidence& evidence, const DistributionParameters& parameters,
-                       std::uint64_t seed)
-    : contacts_(contacts),
-      evidence_(evidence),
-      parameters_(parameters),
-      seed_(seed),
+                       const FreeSpaceEvidence& evidence, const DistributionParameters& parameters)
+    : contacts_(&contacts),
+      evidence_(&evidence),
+      parameters_(&parameters),
       places_(contacts.size(), kFalseContact),
-      entered_(contacts.size(), false),
       object_(contacts.size(), Eigen::Vector3f::Zero()),
       world_(contacts.size(), Eigen::Vector3f::Zero()),
       object_sums_(contacts.size(), 0.0F),
       world_sums_(contacts.size(), 0.0F) {}
 
-Explanation GibbsChain::run() {
-  for (int sweep = 0; sweep <= parameters_.sweeps; ++sweep) {
-    for (const int contact : visitOrder(sweep)) {
-      if (entered_[contact]) remove(contact);
-      add(contact, draw(contact, sweep));
-    }
+void GibbsChain::sweep(double heat, std::uint64_t seed) {
+  for (const int contact : visitOrder(seed)) {
+    remove(contact);
+    add(contact, draw(contact, heat, seed));
   }
-  return places_;
 }
 
-std::vector<int> GibbsChain::visitOrder(int sweep) const {
+std::vector<int> GibbsChain::visitOrder(std::uint64_t seed) const {
   std::vector<std::pair<std::uint64_t, int>> keyed;
-  for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    keyed.emplace_back(mixBits(contacts_[k].id, mixBits(seed_, sweep)), static_cast<int>(k));
+  for (std::size_t k = 0; k < contacts_->size(); ++k) {
+    keyed.emplace_back(mixBits((*contacts_)[k].id, seed), static_cast<int>(k));
   }
   std::sort(keyed.begin(), keyed.end());
   std::vector<int> order;
@@ -65,9 +59,9 @@ std::vector<int> GibbsChain::visitOrder(int sweep) const {
 }
 
 void GibbsChain::changeSums(int contact, float sign) {
-  const float object_scale = squaredScale(parameters_.object);
-  const float world_scale = squaredScale(parameters_.world);
-  for (std::size_t l = 0; l < contacts_.size(); ++l) {
+  const float object_scale = squaredScale(parameters_->object);
+  const float world_scale = squaredScale(parameters_->world);
+  for (std::size_t l = 0; l < contacts_->size(); ++l) {
     if (places_[l] == kFalseContact || static_cast<int>(l) == contact) continue;
     const float object =
         attractionKernel((object_[l] - object_[contact]).squaredNorm() / object_scale);
@@ -80,35 +74,33 @@ void GibbsChain::changeSums(int contact, float sign) {
 }
 
 void GibbsChain::remove(int contact) {
-  entered_[contact] = false;
   if (places_[contact] == kFalseContact) return;
   changeSums(contact, -1.0F);
   places_[contact] = kFalseContact;
 }
 
 void GibbsChain::add(int contact, int place) {
-  entered_[contact] = true;
   places_[contact] = static_cast<std::int16_t>(place);
   if (place == kFalseContact) return;
-  object_[contact] = contacts_[contact].object.at(place);
-  world_[contact] = contacts_[contact].world.at(place);
+  object_[contact] = (*contacts_)[contact].object.at(place);
+  world_[contact] = (*contacts_)[contact].world.at(place);
   object_sums_[contact] = 0.0F;
   world_sums_[contact] = 0.0F;
   changeSums(contact, 1.0F);
 }
 
-int GibbsChain::draw(int contact, int sweep) {
-  const int count = contacts_[contact].count;
+int GibbsChain::draw(int contact, double heat, std::uint64_t seed) const {
+  const int count = (*contacts_)[contact].count;
   Row weight;
-  logWeights(contact, &weight);
-  const float nothing = static_cast<float>(std::log(parameters_.false_contact) -
-                                           std::log1p(-parameters_.false_contact));
+  logWeights(contact, heat, &weight);
+  const float nothing = static_cast<float>(std::log(parameters_->false_contact) -
+                                           std::log1p(-parameters_->false_contact));
   const float largest =
       std::max(nothing, *std::max_element(weight.begin(), weight.begin() + count));
   float sum = std::exp(nothing - largest);
   const float nothing_weight = sum;
   for (int i = 0; i < count; ++i) sum += weight[i] = std::exp(weight[i] - largest);
-  CounterRandom random(mixBits(contacts_[contact].id, mixBits(~seed_, sweep)));
+  CounterRandom random(mixBits((*contacts_)[contact].id, ~seed));
   float left = static_cast<float>(random.uniform()) * sum - nothing_weight;
   if (left < 0.0F) return kFalseContact;
   int place = 0;
@@ -119,19 +111,38 @@ int GibbsChain::draw(int contact, int sweep) {
   return place;
 }
 
-void GibbsChain::logWeights(int contact, Row* log_weight) const {
+double GibbsChain::binding() const {
+  double log_attraction = 0.0;
+  int conflicts = 0;
+  for (std::size_t k = 0; k < contacts_->size(); ++k) {
+    if (places_[k] == kFalseContact) continue;
+    log_attraction += std::log1p(object_sums_[k] / parameters_->object.base) +
+                      std::log1p(world_sums_[k] / parameters_->world.base);
+    for (std::size_t l = 0; l < contacts_->size(); ++l) {
+      if (places_[l] == kFalseContact) continue;
+      const ConflictTable* table = evidence_->conflicts(static_cast<int>(k), static_cast<int>(l));
+      if (table == nullptr) continue;
+      const int j = places_[l];
+      const bool conflict = ((table->by_object[places_[k]][j / 64] >> (j % 64)) & 1U) != 0;
+      if (conflict) conflicts += k == l ? 2 : 1;
+    }
+  }
+  return parameters_->exponent * log_attraction - parameters_->conflict_cost * conflicts;
+}
+
+void GibbsChain::logWeights(int contact, double heat, Row* log_weight) const {
   Row attraction{};
   Row conflicts{};
-  addAttraction(contact, contacts_[contact].object, object_, object_sums_, parameters_.object,
+  addAttraction(contact, (*contacts_)[contact].object, object_, object_sums_, parameters_->object,
                 &attraction);
-  addAttraction(contact, contacts_[contact].world, world_, world_sums_, parameters_.world,
+  addAttraction(contact, (*contacts_)[contact].world, world_, world_sums_, parameters_->world,
                 &attraction);
   countConflicts(contact, &conflicts);
-  const auto exponent = static_cast<float>(parameters_.exponent);
-  const auto cost = static_cast<float>(parameters_.conflict_cost);
+  const auto exponent = static_cast<float>(heat * parameters_->exponent);
+  const auto cost = static_cast<float>(heat * parameters_->conflict_cost);
   for (int i = 0; i < kCandidates; ++i) {
     (*log_weight)[i] =
-        contacts_[contact].log_prior[i] + exponent * attraction[i] - cost * conflicts[i];
+        (*contacts_)[contact].log_prior[i] + exponent * attraction[i] - cost * conflicts[i];
   }
 }
 
@@ -150,7 +161,7 @@ void GibbsChain::addAttraction(int contact, const PointArray& places,
     factor.fill(1.0F);
     factors = 0;
   };
-  for (std::size_t l = 0; l < contacts_.size(); ++l) {
+  for (std::size_t l = 0; l < contacts_->size(); ++l) {
     if (places_[l] == kFalseContact || static_cast<int>(l) == contact) continue;
     const float gain = 1.0F / (base + sums[l]);
     const Eigen::Vector3f other = at[l];
@@ -170,17 +181,17 @@ void GibbsChain::addAttraction(int contact, const PointArray& places,
 
 void GibbsChain::countConflicts(int contact, Row* conflicts) const {
   const auto count = [&](int i) { (*conflicts)[i] += 1.0F; };
-  for (std::size_t l = 0; l < contacts_.size(); ++l) {
+  for (std::size_t l = 0; l < contacts_->size(); ++l) {
     if (places_[l] == kFalseContact || static_cast<int>(l) == contact) continue;
     const int other = static_cast<int>(l);
-    const ConflictTable* on_object = evidence_.conflicts(contact, other);
-    const ConflictTable* in_world = evidence_.conflicts(other, contact);
+    const ConflictTable* on_object = evidence_->conflicts(contact, other);
+    const ConflictTable* in_world = evidence_->conflicts(other, contact);
     if (on_object != nullptr) forSetBits(on_object->by_world[places_[l]], count);
     if (in_world != nullptr) forSetBits(in_world->by_object[places_[l]], count);
   }
-  const ConflictTable* own = evidence_.conflicts(contact, contact);
+  const ConflictTable* own = evidence_->conflicts(contact, contact);
   if (own == nullptr) return;
-  for (int i = 0; i < contacts_[contact].count; ++i) {
+  for (int i = 0; i < (*contacts_)[contact].count; ++i) {
     if (((own->by_object[i][i / 64] >> (i % 64)) & 1U) != 0) (*conflicts)[i] += 2.0F;
   }
 }

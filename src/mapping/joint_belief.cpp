@@ -146,11 +146,8 @@ void JointBelief::reset() {
 void JointBelief::refresh() const {
   if (!stale_) return;
   stale_ = false;
-  std::array<Explanation, kHypotheses> explanations;
   const JointDistribution distribution(contacts_, evidence_, parameters_.distribution);
-  for (int m = 0; m < kHypotheses; ++m) {
-    explanations[m] = distribution.sample(mixBits(parameters_.seed, m));
-  }
+  const std::vector<Explanation> explanations = distribution.sample(kHypotheses, parameters_.seed);
   worlds_ =
       SampledWorlds({contacts_, evidence_, explanations}, parameters_.feature, parameters_.extent,
                     parameters_.T_world_plane.has_value(), parameters_.seed);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "smore/mapping/gibbs_chain.h"
+#include "smore/mapping/tempered_population.h"
 
 namespace smore {
 
@@ -60,9 +60,9 @@ double JointDistribution::logDensity(const Explanation& explanation) const {
   return log_density;
 }
 
-Explanation JointDistribution::sample(std::uint64_t seed) const {
-  GibbsChain chain(*contacts_, *evidence_, parameters_, seed);
-  return chain.run();
+std::vector<Explanation> JointDistribution::sample(int count, std::uint64_t seed) const {
+  TemperedPopulation population(*contacts_, *evidence_, parameters_, count, seed);
+  return population.run();
 }
 
 }  // namespace smore

@@ -21,7 +21,8 @@ struct DistributionParameters {
   double exponent = 0.5;        ///< of the attraction; 0.5 counts each pair once
   double conflict_cost = 4.0;   ///< log odds against one contradiction with free space
   double false_contact = 0.02;  ///< probability that a contact tells nothing
-  int sweeps = 6;               ///< of Gibbs sampling, from an independent start
+  int temperatures = 8;         ///< steps from independent contacts to the whole distribution
+  int sweeps = 3;               ///< of Gibbs sampling after the last of these steps
 };
 
 /// One explanation of all contacts: for each its place, or kFalseContact.
@@ -44,9 +45,10 @@ class JointDistribution {
   /// Unnormalised log probability.
   double logDensity(const Explanation& explanation) const;
 
-  /// One explanation by Gibbs sampling; independent for independent seeds. The contacts' order does
-  /// not matter: each draws from the seed and its own id, in an order of visits that the ids give.
-  Explanation sample(std::uint64_t seed) const;
+  /// `count` explanations: a tempered population of Gibbs chains (docs/belief.md). The contacts'
+  /// order does not matter: each draws from the seed and its own id, in an order of visits that the
+  /// ids give.
+  std::vector<Explanation> sample(int count, std::uint64_t seed) const;
 
  private:
   const std::vector<ContactHypotheses>* contacts_;

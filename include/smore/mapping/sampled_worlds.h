@@ -23,7 +23,7 @@ struct ExtentParameters {
 struct WorldSamples {
   const std::vector<ContactHypotheses>& contacts;
   const FreeSpaceEvidence& evidence;
-  const std::array<Explanation, kHypotheses>& explanations;
+  const std::vector<Explanation>& explanations;  ///< kHypotheses of them
 };
 
 /// 64 worlds that the evidence allows, side by side in the bits of machine words: each an

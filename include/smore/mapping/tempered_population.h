@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "smore/mapping/gibbs_chain.h"
+
+namespace smore {
+
+/// A population of Gibbs chains that cools together (a sequential Monte Carlo sampler over
+/// temperatures, Del Moral et al. 2006). Chains that the next temperature makes more likely are
+/// continued more often. Contacts that must move together to a better explanation hardly ever do so
+/// one at a time; here the chains that happened on it take over.
+class TemperedPopulation {
+ public:
+  TemperedPopulation(const std::vector<ContactHypotheses>& contacts,
+                     const FreeSpaceEvidence& evidence, const DistributionParameters& parameters,
+                     int count, std::uint64_t seed);
+
+  std::vector<Explanation> run();
+
+ private:
+  void resample(double heat_step, std::uint64_t seed);
+  void sweep(double heat, std::uint64_t seed);
+
+  DistributionParameters parameters_;
+  std::uint64_t seed_;
+  std::vector<GibbsChain> chains_;
+};
+
+}  // namespace smore

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "smore/mapping/joint_belief.h"
+
+namespace smore {
+namespace {
+
+ContactObservation freeAt(const Pose& pose, double time) {
+  ContactObservation observation;
+  observation.time = time;
+  observation.T_world_object = pose;
+  observation.state = ContactState::kFree;
+  return observation;
+}
+
+// Contact at `pose` at the point `place` of the object [object frame] with the force along
+// `direction`.
+ContactObservation contactAt(const Pose& pose, const Vec3& place, const Vec3& direction) {
+  ContactObservation observation;
+  observation.T_world_object = pose;
+  observation.state = ContactState::kContact;
+  LineOfAction line;
+  line.direction = direction.normalized();
+  line.point = place - place.dot(line.direction) * line.direction;
+  line.force = 5.0;
+  observation.line = line;
+  return observation;
+}
+
+JointBeliefParameters planarParameters() {
+  JointBeliefParameters parameters;
+  parameters.T_world_plane = Pose::Identity();
+  return parameters;
+}
+
+// A 4 cm wide bar that reaches 0.2 m ahead of the hand, pushed against a wall at x = 0.5 at several
+// heights: lines along x with their contact at 0.2 m on the object, and free poses on the way
+// there.
+std::vector<ContactObservation> wallObservations() {
+  std::vector<ContactObservation> observations;
+  for (int i = 0; i < 5; ++i) {
+    const double y = 0.04 * i - 0.08;
+    for (const double x : {0.0, 0.15, 0.28}) observations.push_back(freeAt(makePose({x, y, 0}), 0));
+    observations.push_back(
+        contactAt(makePose({0.3, y, 0}), {0.2, 0.01 * (i % 3) - 0.01, 0}, {-1, 0.01 * i, 0}));
+  }
+  return observations;
+}
+
+void observeAll(const std::vector<ContactObservation>& observations, JointBelief* belief) {
+  for (const ContactObservation& observation : observations) belief->observe(observation);
+}
+
+// Largest and mean difference over the voxels that either grid knows.
+std::pair<double, double> difference(const VoxelGrid& a, const VoxelGrid& b) {
+  double largest = 0.0;
+  double sum = 0.0;
+  const auto compare = [&](const VoxelGrid& from, const VoxelGrid& to) {
+    for (const VoxelGrid::Voxel& voxel : from.voxels()) {
+      const double other = to.probability(voxel.key).value_or(0.005F);
+      const double gap = std::abs(voxel.probability - other);
+      largest = std::max(largest, gap);
+      sum += gap;
+    }
+  };
+  compare(a, b);
+  compare(b, a);
+  return {largest, sum / std::max<std::size_t>(1, a.size() + b.size())};
+}
+
+TEST(JointBelief, TheOrderOf20ObservationsDoesNotMatter) {
+  std::vector<ContactObservation> observations = wallObservations();
+  ASSERT_EQ(observations.size(), 20U);
+  JointBelief reference(planarParameters());
+  observeAll(observations, &reference);
+  std::mt19937 random(4);
+  for (int permutation = 0; permutation < 5; ++permutation) {
+    std::shuffle(observations.begin(), observations.end(), random);
+    JointBelief belief(planarParameters());
+    observeAll(observations, &belief);
+    const auto world = difference(reference.world(), belief.world());
+    const auto object = difference(reference.object(), belief.object());
+    EXPECT_LE(std::max(world.first, object.first), 0.05);
+    EXPECT_LT(std::max(world.second, object.second), 0.01);
+  }
+}
+
+// The same motion, sampled at a rate [Hz]: up to the wall, aside and up again.
+JointBelief recorded(double rate) {
+  JointBelief belief(planarParameters());
+  const Path path = {makePose({0, 0, 0}), makePose({0.29, 0.05, 0}),
+                     makePose({0.1, 0.12, 0}, {0, 0, 0.4}),
+                     makePose({0.28, -0.03, 0}, {0, 0, 0.1})};
+  constexpr double kSpeed = 0.1;  // [m/s]
+  const double spacing = kSpeed / rate;
+  double time = 0.0;
+  for (const Pose& pose : densify(path, spacing, 1.0)) {
+    belief.observe(freeAt(pose, time));
+    time += 1.0 / rate;
+  }
+  belief.observe(contactAt(makePose({0.3, 0.05, 0}), {0.2, 0, 0}, {-1, 0, 0}));
+  belief.observe(contactAt(makePose({0.3, -0.03, 0}, {0, 0, 0.1}), {0.2, 0.01, 0}, {-1, 0.1, 0}));
+  return belief;
+}
+
+TEST(JointBelief, TheRateOfFreeSamplesDoesNotMatter) {
+  const JointBelief slow = recorded(50.0);
+  const JointBelief fast = recorded(1000.0);
+  EXPECT_LE(difference(slow.world(), fast.world()).first, 0.02);
+  EXPECT_LE(difference(slow.object(), fast.object()).first, 0.02);
+}
+
+TEST(JointBelief, ARepeatedObservationCountsOnce) {
+  JointBelief once(planarParameters());
+  JointBelief twice(planarParameters());
+  const auto observations = wallObservations();
+  observeAll(observations, &once);
+  observeAll(observations, &twice);
+  observeAll(observations, &twice);
+  EXPECT_EQ(difference(once.world(), twice.world()).first, 0.0);
+  EXPECT_EQ(difference(once.object(), twice.object()).first, 0.0);
+}
+
+// A thin finger at (0.12, 0) of the object touches a thin peg from `count` directions; on each way
+// there the object was free.
+constexpr double kFinger = 0.12;
+const Vec3 kPeg(0.4, 0.1, 0.0);
+
+void touchPeg(int count, JointBelief* belief) {
+  for (int i = 0; i < count; ++i) {
+    const double heading = 2.0 * M_PI * i / count;
+    const Vec3 along(std::cos(heading), std::sin(heading), 0.0);
+    const auto poseAt = [&](double gap) {
+      return makePose(kPeg - (kFinger + gap) * along, {0, 0, heading});
+    };
+    for (double gap = 0.2; gap > 0.004; gap -= 0.01) belief->observe(freeAt(poseAt(gap), 0));
+    belief->observe(contactAt(poseAt(0.0), {kFinger, 0, 0}, {-1, 0, 0}));
+  }
+}
+
+// Largest occupancy within a voxel's size of the peg.
+double pegProbability(const JointBelief& belief) {
+  double largest = 0.0;
+  for (const VoxelGrid::Voxel& voxel : belief.world().voxels()) {
+    const double distance = (voxelCenter(voxel.key, 0.03) - kPeg).head<2>().norm();
+    if (distance < 0.03) largest = std::max<double>(largest, voxel.probability);
+  }
+  return largest;
+}
+
+TEST(JointBelief, LinesThatCrossShowThePeg) {
+  JointBelief belief(planarParameters());
+  touchPeg(6, &belief);
+  EXPECT_GT(pegProbability(belief), 0.8);
+}
+
+TEST(JointBelief, OneFalseContactDoesNotRuinTheMaps) {
+  JointBelief belief(planarParameters());
+  touchPeg(6, &belief);
+  // A spike in the middle of a motion that was free before.
+  belief.observe(contactAt(makePose(kPeg - Vec3(0.22, 0, 0)), {0.05, 0.0, 0}, {0.3, 1, 0}));
+  EXPECT_GT(pegProbability(belief), 0.7);
+}
+
+TEST(JointBelief, ProbabilitiesStayInsideAndResetForgets) {
+  JointBelief belief(planarParameters());
+  EXPECT_TRUE(belief.world().empty());
+  const std::uint64_t before = belief.revision();
+  observeAll(wallObservations(), &belief);
+  EXPECT_GT(belief.revision(), before);
+  ASSERT_FALSE(belief.world().empty());
+  for (const VoxelGrid::Voxel& voxel : belief.world().voxels()) {
+    EXPECT_GE(voxel.probability, 0.005F);
+    EXPECT_LE(voxel.probability, 0.995F);
+  }
+  belief.reset();
+  EXPECT_TRUE(belief.world().empty());
+  EXPECT_TRUE(belief.object().empty());
+  EXPECT_EQ(belief.contactCount(), 0U);
+}
+
+TEST(JointBelief, ALineOutOfThePlaneOfMotionSaysNothing) {
+  JointBelief belief(planarParameters());
+  belief.observe(contactAt(makePose({0.3, 0, 0}), {0.2, 0, 0}, {0.1, 0, 1}));
+  EXPECT_EQ(belief.contactCount(), 0U);
+}
+
+}  // namespace
+}  // namespace smore

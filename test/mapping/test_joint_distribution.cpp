@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "smore/mapping/counter_random.h"
+#include "smore/mapping/joint_distribution.h"
+
+namespace smore {
+namespace {
+
+constexpr int kPlaces = 4;
+constexpr int kContacts = 4;
+
+// A small world: few contacts with few places each, so that all explanations can be listed.
+struct SmallCase {
+  std::vector<ContactHypotheses> contacts;
+  FreeSpaceEvidence evidence{FreeSpaceParameters{}, FeatureParameters{}.conflictDistance()};
+};
+
+Vec3 randomPoint(double span, std::mt19937* random) {
+  std::uniform_real_distribution<double> uniform(-span, span);
+  return {uniform(*random), uniform(*random), 0.0};
+}
+
+// Places lie in a box so small that attraction and conflicts of all strengths occur.
+std::unique_ptr<SmallCase> randomCase(unsigned seed, int free_poses) {
+  constexpr double kSpan = 0.12;
+  std::mt19937 random(seed);
+  auto result = std::make_unique<SmallCase>();
+  for (int k = 0; k < kContacts; ++k) {
+    ContactHypotheses contact;
+    contact.count = kPlaces;
+    contact.id = mixBits(seed, k);
+    for (int i = 0; i < kPlaces; ++i) {
+      contact.object.set(i, randomPoint(kSpan, &random));
+      contact.world.set(i, randomPoint(kSpan, &random));
+      contact.log_prior[i] = static_cast<float>(-std::log(kPlaces));
+    }
+    result->contacts.push_back(contact);
+    result->evidence.addContact(contact);
+  }
+  for (int i = 0; i < free_poses; ++i)
+    result->evidence.addPose(makePose(randomPoint(kSpan, &random)));
+  return result;
+}
+
+// Every explanation, with false contacts, and its exact probability.
+struct Enumeration {
+  std::vector<Explanation> explanations;
+  std::vector<double> probabilities;
+
+  double marginal(int contact, int place) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < explanations.size(); ++i) {
+      if (explanations[i][contact] == place) sum += probabilities[i];
+    }
+    return sum;
+  }
+};
+
+Enumeration enumerate(const JointDistribution& distribution) {
+  Enumeration result;
+  const int states = static_cast<int>(std::pow(kPlaces + 1, kContacts));
+  double total = 0.0;
+  for (int state = 0; state < states; ++state) {
+    Explanation explanation;
+    for (int k = 0, left = state; k < kContacts; ++k, left /= kPlaces + 1) {
+      explanation.push_back(static_cast<std::int16_t>(left % (kPlaces + 1) - 1));
+    }
+    result.explanations.push_back(explanation);
+    result.probabilities.push_back(std::exp(distribution.logDensity(explanation)));
+    total += result.probabilities.back();
+  }
+  for (double& probability : result.probabilities) probability /= total;
+  return result;
+}
+
+// Share of the samples of each (contact, place + 1).
+std::vector<double> sampledMarginals(const JointDistribution& distribution, int samples) {
+  std::vector<double> shares(kContacts * (kPlaces + 1), 0.0);
+  for (const Explanation& explanation : distribution.sample(samples, 7)) {
+    for (int k = 0; k < kContacts; ++k) {
+      shares[k * (kPlaces + 1) + explanation[k] + 1] += 1.0 / samples;
+    }
+  }
+  return shares;
+}
+
+TEST(JointDistribution, SamplesAgreeWithEnumeration) {
+  constexpr int kSamples = 2000;
+  DistributionParameters parameters;
+  parameters.conflict_cost = 2.0;  // low walls between explanations, so that 20 sweeps mix
+  parameters.sweeps = 20;
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const auto small = randomCase(seed, 4);
+    const JointDistribution distribution(small->contacts, small->evidence, parameters);
+    const Enumeration exact = enumerate(distribution);
+    const std::vector<double> sampled = sampledMarginals(distribution, kSamples);
+    for (int k = 0; k < kContacts; ++k) {
+      for (int i = -1; i < kPlaces; ++i) {
+        // Four standard deviations of a share of 2000 near one half.
+        EXPECT_NEAR(sampled[k * (kPlaces + 1) + i + 1], exact.marginal(k, i), 0.045)
+            << "seed " << seed << " contact " << k << " place " << i;
+      }
+    }
+  }
+}
+
+double logLoss(double probability, bool truth) {
+  const double p = std::clamp(probability, 0.005, 0.995);
+  return -std::log(truth ? p : 1.0 - p);
+}
+
+// 50 random cases of 20 observations. The truth is drawn from the exact posterior, so that no
+// belief can do better than that on average.
+TEST(JointDistribution, LogLossOf64SamplesIsNearTheExactPosteriors) {
+  double exact_loss = 0.0;
+  double sampled_loss = 0.0;
+  std::mt19937 random(3);
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    const auto small = randomCase(100 + seed, 20 - kContacts);
+    const JointDistribution distribution(small->contacts, small->evidence, {});
+    const Enumeration exact = enumerate(distribution);
+    const std::vector<double> sampled = sampledMarginals(distribution, 64);
+    std::discrete_distribution<int> draw(exact.probabilities.begin(), exact.probabilities.end());
+    const Explanation truth = exact.explanations[draw(random)];
+    for (int k = 0; k < kContacts; ++k) {
+      for (int i = -1; i < kPlaces; ++i) {
+        exact_loss += logLoss(exact.marginal(k, i), truth[k] == i);
+        sampled_loss += logLoss(sampled[k * (kPlaces + 1) + i + 1], truth[k] == i);
+      }
+    }
+  }
+  RecordProperty("exact", std::to_string(exact_loss / (50 * kContacts * (kPlaces + 1))));
+  RecordProperty("sampled", std::to_string(sampled_loss / (50 * kContacts * (kPlaces + 1))));
+  EXPECT_LE(sampled_loss, 1.1 * exact_loss);
+}
+
+TEST(JointDistribution, ConflictsMakeAnExplanationLessLikelyByTheirCost) {
+  const auto without = randomCase(5, 0);
+  const auto with = randomCase(5, 0);
+  // At this pose the first contact's own balls at place 0 coincide.
+  const Eigen::Vector3f shift = with->contacts[0].world.at(0) - with->contacts[0].object.at(0);
+  with->evidence.addPose(makePose(shift.cast<double>()));
+  const DistributionParameters parameters;
+  const Explanation own = {0, kFalseContact, kFalseContact, kFalseContact};
+  const double before =
+      JointDistribution(without->contacts, without->evidence, parameters).logDensity(own);
+  const double after =
+      JointDistribution(with->contacts, with->evidence, parameters).logDensity(own);
+  EXPECT_NEAR(before - after, 2.0 * parameters.conflict_cost, 1e-9);
+}
+
+TEST(JointDistribution, TheOrderOfContactsDoesNotChangeASample) {
+  const auto small = randomCase(9, 6);
+  SmallCase reversed;
+  for (int k = kContacts - 1; k >= 0; --k) {
+    reversed.contacts.push_back(small->contacts[k]);
+    reversed.evidence.addContact(small->contacts[k]);
+  }
+  std::mt19937 random(9);
+  for (int i = 0; i < 6; ++i)
+    reversed.evidence.addPose(Pose(small->evidence.poses()[i].cast<double>()));
+  auto forward = JointDistribution(small->contacts, small->evidence, {}).sample(20, 1);
+  const auto backward = JointDistribution(reversed.contacts, reversed.evidence, {}).sample(20, 1);
+  for (std::size_t m = 0; m < forward.size(); ++m) {
+    std::reverse(forward[m].begin(), forward[m].end());
+    EXPECT_EQ(forward[m], backward[m]);
+  }
+}
+
+}  // namespace
+}  // namespace smore
