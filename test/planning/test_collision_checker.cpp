@@ -188,7 +188,9 @@ TEST(FclCollisionCheckerTest, emptyOctreesAreFree) {
 TEST(OccupiedVoxelsTest, prunedLeavesAreExpanded) {
   octomap::OcTree tree(0.1);
   for (int i = 0; i < 64; ++i) {
-    tree.setNodeValue(0.05 + 0.1 * (i % 4), 0.05 + 0.1 * (i / 4 % 4), -0.05 - 0.1 * (i / 16), 1.0F);
+    const Eigen::Vector3i cell(i % 4, i / 4 % 4, -1 - i / 16);
+    const Vec3 center = 0.1 * (cell.cast<double>() + Vec3::Constant(0.5));
+    tree.setNodeValue(center.x(), center.y(), center.z(), 1.0F);
   }
   tree.updateInnerOccupancy();
   tree.prune();

@@ -82,8 +82,9 @@ TEST(DistanceFieldTest, voxelsFarApartStayWithinTheMemoryLimit) {
 
 TEST(SphereTreeTest, spheresHoldAllPointsBelowThem) {
   std::vector<Vec3> points;
+  points.reserve(301);
   oracle::PoseSource source(6, 1.0, false);
-  for (int i = 0; i < 300; ++i) points.push_back(source.next().translation());
+  for (int i = 0; i < 300; ++i) points.emplace_back(source.next().translation());
   points.push_back(points.front());
   const SphereTree tree(points);
   ASSERT_EQ(tree.nodes().size(), 2 * points.size() - 1);

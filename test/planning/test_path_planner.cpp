@@ -127,8 +127,8 @@ TEST_P(TiltedPlaneTest, motionStaysInThePlaneAndTheBox) {
   space.workspace = {Vec3(-0.4, -0.9, -0.2), Vec3(1.0, 0.5, 1.2)};
   const Pose goal = T_world_plane * makePose(Vec3(-0.25, 0.2, 0.0), Vec3(0, 0, 2.5));
   const auto valid = [&](const Pose& pose) {
-    const Vec3 inPlane = T_world_plane.inverse() * pose.translation();
-    return (inPlane - Vec3(-0.12, 0.1, 0.0)).norm() > 0.05;
+    const Vec3 in_plane = T_world_plane.inverse() * pose.translation();
+    return (in_plane - Vec3(-0.12, 0.1, 0.0)).norm() > 0.05;
   };
   for (const auto algorithm : {PlannerAlgorithm::kRrt, PlannerAlgorithm::kRrtConnect}) {
     PathPlannerParameters parameters;

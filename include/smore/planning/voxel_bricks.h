@@ -43,9 +43,9 @@ class VoxelBricks {
 
 template <typename Visitor>
 void VoxelBricks::visitBox(const Index& low, const Index& high, const Visitor& visit) const {
-  const auto brickOf = [](int index) { return index >> kShift; };  // rounds down
-  const Index first = low.unaryExpr(brickOf);
-  const Index last = high.unaryExpr(brickOf);
+  const auto brick_of = [](int index) { return index >> kShift; };  // rounds down
+  const Index first = low.unaryExpr(brick_of);
+  const Index last = high.unaryExpr(brick_of);
   for (Index brick = first; brick.z() <= last.z(); ++brick.z()) {
     for (brick.y() = first.y(); brick.y() <= last.y(); ++brick.y()) {
       for (brick.x() = first.x(); brick.x() <= last.x(); ++brick.x()) {
