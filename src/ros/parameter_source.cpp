@@ -121,6 +121,9 @@ int runNode(int argc, char** argv, const std::string& name, const std::function<
   } catch (const InputError& error) {
     logLines(error.what());
     return 2;
+  } catch (const std::runtime_error& error) {
+    logLines(error.what());
+    return 1;
   } catch (const std::exception& error) {
     ROS_FATAL_STREAM("stopped by an internal error: " << error.what());
     return 1;

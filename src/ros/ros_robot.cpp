@@ -64,21 +64,27 @@ std::string RosRobot::waitUntilReady() {
   stream_.open();
   const ros::WallTime deadline =
       ros::WallTime::now() + ros::WallDuration(parameters_.ready_timeout);
-  bool any = false;
-  while (ros::ok() && ros::WallTime::now() < deadline) {
+  std::string missing = "no contact observations on '" + contact_.getTopic() +
+                        "'; is the force_torque node up, and does it get wrenches and transforms?";
+  while (ros::ok() && ros::WallTime::now() < deadline && !missing.empty()) {
     const auto observation = stream_.next(kRestTime);
-    any = any || observation;
-    if (observation && observation->state == ContactState::kFree) {
-      stream_.close();
-      return command_.getNumSubscribers() > 0
-                 ? ""
-                 : "nobody listens to commands on '" + command_.getTopic() + "'";
-    }
+    if (observation) missing = missingBeside(*observation);
   }
   stream_.close();
-  return any ? "the sensor never says that the object is free; look at the force_torque node's log"
-             : "no contact observations on '" + contact_.getTopic() +
-                   "'; is the force_torque node up, and does it get wrenches and transforms?";
+  return missing;
+}
+
+std::string RosRobot::missingBeside(const ContactObservation& observation) {
+  if (observation.state != ContactState::kFree) {
+    return "the sensor never says that the object is free; look at the force_torque node's log";
+  }
+  if (command_.getNumSubscribers() == 0) {
+    return "nobody listens to commands on '" + command_.getTopic() + "'; is the robot up?";
+  }
+  if (!parameters_.reset_service.empty() && !reset_.exists()) {
+    return "the service '" + reset_.getService() + "' does not appear; is the robot up?";
+  }
+  return "";
 }
 
 Pose RosRobot::pose() const {

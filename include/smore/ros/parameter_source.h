@@ -41,7 +41,7 @@ void imposeScenarioValue(YAML::Node mapping, const std::string& group, const std
                          double value, ParameterReader* reader);
 
 /// Initialises ROS as node `name` and calls `run`. An InputError becomes one fatal log message a
-/// line and exit code 2, any other exception one message and exit code 1.
+/// line and exit code 2, any other exception a message and exit code 1.
 int runNode(int argc, char** argv, const std::string& name, const std::function<void()>& run);
 
 }  // namespace smore

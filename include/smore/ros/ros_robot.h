@@ -29,7 +29,8 @@ class RosRobot : public Robot {
  public:
   explicit RosRobot(const RosRobotParameters& parameters);
 
-  /// Waits until the sensor is tared and touches nothing; the reason where that fails, else empty.
+  /// Waits until the sensor is tared and touches nothing and the robot takes commands; what is
+  /// missing where that does not come, else empty.
   std::string waitUntilReady();
 
   Pose pose() const override;
@@ -49,6 +50,7 @@ class RosRobot : public Robot {
   enum class Step { kGoOn, kArrived, kContact, kFault };
   struct Motion;
 
+  std::string missingBeside(const ContactObservation& observation);
   Motion begin(const Path& path);
   Step advance(Motion* motion);
   void send(const Path& path);
