@@ -35,7 +35,8 @@ function(smore_executable name)
   install(TARGETS ${name} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 endfunction()
 
-# smore_test(NAME SOURCES a.cpp ... LINK libraries ...): a gtest that ctest runs with no ROS master.
+# smore_test(NAME SOURCES a.cpp ... LINK libraries ...): a gtest that ctest runs with no ROS master, for
+# five minutes at most.
 function(smore_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
@@ -43,6 +44,7 @@ function(smore_test name)
   target_compile_options(${name} PRIVATE ${SMORE_WARNINGS})
   target_compile_definitions(${name} PRIVATE SMORE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES TIMEOUT 300)
 endfunction()
 
 # smore_test_program(NAME SOURCES a.cpp ... LINK libraries ...): a program that a test starts.
@@ -57,9 +59,8 @@ endfunction()
 #
 # Lets ctest run a rostest, with a ROS master of its own on a free port. Sources become the gtest
 # program NAME in devel/lib/smore, for <test pkg="smore" type="NAME" .../> in FILE.test. rostest exits
-# with an error where a test fails, crashes or writes no result. What hangs is ended after
-# TIMEOUT, with all its nodes.
-# These tests run one after another: each starts several processes that should not starve.
+# with an error where a test fails, crashes or writes no result. What hangs is ended after TIMEOUT, with
+# all its nodes. These tests run one after another: each starts several processes that should not starve.
 function(smore_rostest name file)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINK" ${ARGN})
   if(NOT ARG_TIMEOUT)
@@ -74,7 +75,8 @@ function(smore_rostest name file)
       RUNTIME_OUTPUT_DIRECTORY ${CATKIN_DEVEL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION})
   endif()
   add_test(NAME ${name} COMMAND
-    ${SMORE_RUN_WITH_LIMIT} ${ARG_TIMEOUT} ${CATKIN_DEVEL_PREFIX}/env.sh rostest --pkgdir=${PROJECT_SOURCE_DIR} --package=${PROJECT_NAME}
+    ${SMORE_RUN_WITH_LIMIT} ${ARG_TIMEOUT} ${CATKIN_DEVEL_PREFIX}/env.sh rostest
+    --pkgdir=${PROJECT_SOURCE_DIR} --package=${PROJECT_NAME}
     --results-filename ${name}.xml --results-base-dir ${PROJECT_BINARY_DIR}/test_results
     ${CMAKE_CURRENT_SOURCE_DIR}/${file})
   math(EXPR hard_limit "${ARG_TIMEOUT} + 30")
