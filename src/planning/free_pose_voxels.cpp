@@ -16,10 +16,10 @@ namespace {
 /// ones.
 class PairFlow {
  public:
-  PairFlow(const std::set<VoxelPair>& pairs, const std::vector<double>& left_weights,
+  PairFlow(const std::set<PositionPair>& pairs, const std::vector<double>& left_weights,
            const std::vector<double>& right_weights)
       : left_(left_weights), right_(right_weights) {
-    for (const VoxelPair& pair : pairs) {
+    for (const PositionPair& pair : pairs) {
       right_of_[pair.first].push_back(pair.second);
       flow_[pair.second][pair.first] = 0.0;
     }
@@ -133,7 +133,8 @@ OccupiedVoxels without(const OccupiedVoxels& voxels, const std::set<std::uint32_
 
 }  // namespace
 
-PairCover lightestCover(const std::set<VoxelPair>& pairs, const std::vector<double>& left_weights,
+PairCover lightestCover(const std::set<PositionPair>& pairs,
+                        const std::vector<double>& left_weights,
                         const std::vector<double>& right_weights) {
   PairFlow flow(pairs, left_weights, right_weights);
   flow.maximize();
@@ -143,7 +144,8 @@ PairCover lightestCover(const std::set<VoxelPair>& pairs, const std::vector<doub
 TwinVoxels voxelsGivenFree(const VoxelGrid& object, const VoxelGrid& world,
                            const Pose& T_world_object) {
   TwinVoxels voxels{occupiedVoxels(object), occupiedVoxels(world)};
-  const std::set<VoxelPair> pairs = VoxelOverlap(voxels.object, voxels.world).pairs(T_world_object);
+  const std::set<PositionPair> pairs =
+      VoxelOverlap(voxels.object, voxels.world).pairs(T_world_object);
   if (pairs.empty()) return voxels;
   const PairCover cover =
       lightestCover(pairs, weightsOf(voxels.object, object), weightsOf(voxels.world, world));

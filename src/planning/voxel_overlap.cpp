@@ -63,8 +63,8 @@ double VoxelOverlap::fieldClearance(const Pose& T_world_object, double enough) c
   return settle({T_world_object, cubes, false}, 0, least);
 }
 
-std::set<VoxelPair> VoxelOverlap::pairs(const Pose& T_world_object) const {
-  std::set<VoxelPair> found;
+std::set<PositionPair> VoxelOverlap::pairs(const Pose& T_world_object) const {
+  std::set<PositionPair> found;
   if (isTrivial()) return found;
   VoxelGrid positions(voxelSize());
   for (const VoxelKey& key : world_.keys) positions.set(key, 1.0F);

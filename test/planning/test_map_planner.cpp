@@ -121,12 +121,12 @@ TEST_P(MapPlannerTest, refusesAShareOfOverlapOutOfRange) {
 }
 
 /// By trying all sets; for a handful of positions.
-double lightestByEnumeration(const std::set<VoxelPair>& pairs, const std::vector<double>& left,
+double lightestByEnumeration(const std::set<PositionPair>& pairs, const std::vector<double>& left,
                              const std::vector<double>& right) {
   double best = std::numeric_limits<double>::infinity();
   const std::size_t count = left.size() + right.size();
   for (std::size_t set = 0; set < (std::size_t{1} << count); ++set) {
-    const bool covers = std::all_of(pairs.begin(), pairs.end(), [&](const VoxelPair& pair) {
+    const bool covers = std::all_of(pairs.begin(), pairs.end(), [&](const PositionPair& pair) {
       return ((set >> pair.first) & 1) != 0 || ((set >> (left.size() + pair.second)) & 1) != 0;
     });
     if (!covers) continue;
@@ -147,13 +147,13 @@ TEST(LightestCoverTest, agreesWithEnumeration) {
     std::vector<double> right(6);
     for (double& value : left) value = weight(engine);
     for (double& value : right) value = weight(engine);
-    std::set<VoxelPair> pairs;
+    std::set<PositionPair> pairs;
     for (int i = 0; i < 3 + trial % 15; ++i) pairs.insert({engine() % 5, engine() % 6});
     const PairCover cover = lightestCover(pairs, left, right);
     double total = 0.0;
     for (const std::uint32_t position : cover.left) total += left[position];
     for (const std::uint32_t position : cover.right) total += right[position];
-    for (const VoxelPair& pair : pairs) {
+    for (const PositionPair& pair : pairs) {
       EXPECT_TRUE(cover.left.count(pair.first) + cover.right.count(pair.second) > 0);
     }
     ASSERT_EQ(total, lightestByEnumeration(pairs, left, right)) << "trial " << trial;

@@ -33,7 +33,8 @@ struct PairCover {
 /// Positions of least total weight such that each pair has its left or its right one among them.
 /// Weights are positive, one for each position that occurs in a pair (Koenig's theorem with
 /// weights; Ford and Fulkerson, "Flows in networks", 1962).
-PairCover lightestCover(const std::set<VoxelPair>& pairs, const std::vector<double>& left_weights,
+PairCover lightestCover(const std::set<PositionPair>& pairs,
+                        const std::vector<double>& left_weights,
                         const std::vector<double>& right_weights);
 
 }  // namespace smore

@@ -14,7 +14,7 @@
 namespace smore {
 
 /// An occupied voxel of the object and one of the world, by their positions in the lists.
-using VoxelPair = std::pair<std::uint32_t, std::uint32_t>;
+using PositionPair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Which occupied voxels of the object overlap which of the world, exactly and fast: spheres around
 /// groups of object voxels are settled by the distance field of the world, what remains by the
@@ -31,7 +31,7 @@ class VoxelOverlap {
   double fieldClearance(const Pose& T_world_object, double enough) const;
 
   /// All pairs that overlap by more than kTouchingShare, in ascending order.
-  std::set<VoxelPair> pairs(const Pose& T_world_object) const;
+  std::set<PositionPair> pairs(const Pose& T_world_object) const;
 
   double voxelSize() const { return world_.voxel_size; }
 
