@@ -85,7 +85,8 @@ TEST_P(PathPlannerMazeTest, pathsKeepTheirPromise) {
   parameters.algorithm = algorithm;
   parameters.max_iterations = 100000;
   parameters.step = motion == Motion::kPlanar ? 0.03 : 0.2;
-  for (std::uint32_t seed = 1; seed <= 2; ++seed) {
+  const std::uint32_t seeds = by_fcl ? 1 : 2;
+  for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
     const auto path = solve(problem, *checker, parameters, seed);
     ASSERT_TRUE(path) << path.reason();
     expectEnds(problem, *path);
