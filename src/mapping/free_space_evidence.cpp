@@ -62,6 +62,10 @@ void FreeSpaceEvidence::mark(int object_place, int world_place) {
   setBit(&table->by_world[j], i);
 }
 
+bool FreeSpaceEvidence::knows(const Pose& T_map_object) const {
+  return seen_.count(cellOf(T_map_object, parameters_)) != 0;
+}
+
 bool FreeSpaceEvidence::addPose(const Pose& T_map_object) {
   if (!seen_.insert(cellOf(T_map_object, parameters_)).second) return false;
   poses_.push_back(T_map_object.cast<float>());

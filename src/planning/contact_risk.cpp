@@ -2,6 +2,7 @@
 #include "smore/planning/contact_risk.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace smore {
 namespace {
@@ -27,6 +28,18 @@ HypothesisMask ContactRisk::touchingAlong(const Path& path) const {
   HypothesisMask mask = 0;
   for (const Pose& pose : densify(path, check_distance_, check_angle_)) mask |= touching(pose);
   return mask;
+}
+
+double ContactRisk::ofMotion(const Path& path) const {
+  const FreeSpaceEvidence& free = belief_->freeSpace();
+  const double cell = free.parameters().position_cell;
+  int unknown = 0;
+  for (const Pose& pose : densify(path, cell, free.parameters().angle_cell)) {
+    unknown += free.knows(belief_->toMap(pose)) ? 0 : 1;
+  }
+  const double contacts = 1.0 + static_cast<double>(belief_->contactCount());
+  const double cells = kPriorLength / cell + static_cast<double>(free.cellCount());
+  return 1.0 - (1.0 - along(path)) * std::exp(-contacts / cells * unknown);
 }
 
 }  // namespace smore

@@ -40,6 +40,13 @@ class FreeSpaceEvidence {
   /// A contact's places, with all that the known free poses say about them.
   void addContact(const ContactHypotheses& contact);
 
+  /// Whether a pose in the same cell was free.
+  bool knows(const Pose& T_map_object) const;
+
+  /// Cells of poses that were free, in a sequence of as many poses.
+  std::size_t cellCount() const { return seen_.size(); }
+  const FreeSpaceParameters& parameters() const { return parameters_; }
+
   /// Distinct free poses.
   const std::vector<Eigen::Isometry3f>& poses() const { return poses_; }
 

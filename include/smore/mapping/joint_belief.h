@@ -52,6 +52,8 @@ class JointBelief : public TwinMap {
   /// Motions that were free, in the order in which they were made [T_world_object].
   const std::vector<Path>& freeTracks() const { return tracks_; }
 
+  const FreeSpaceEvidence& freeSpace() const { return evidence_; }
+
   std::size_t contactCount() const { return contacts_.size(); }
   const JointBeliefParameters& parameters() const { return parameters_; }
 

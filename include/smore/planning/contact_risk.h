@@ -22,6 +22,17 @@ class ContactRisk {
   double atPose(const Pose& T_world_object) const { return shareOf(touching(T_world_object)); }
   double along(const Path& path) const { return shareOf(touchingAlong(path)); }
 
+  /// Probability that a motion along `path` ends at a contact: with what is known, or with matter
+  /// that nothing has touched yet. The latter comes at a rate for each cell of poses
+  /// (FreeSpaceParameters) that is entered for the first time; the rate is estimated from the
+  /// contacts and the free cells so far, with one contact in kPriorLength of motion to begin with
+  /// (docs/planning.md).
+  double ofMotion(const Path& path) const;
+
+  /// Mean length of a motion until something is touched, before anything is known: about as far as
+  /// a hand moves a held thing among others [m].
+  static constexpr double kPriorLength = 1.0;
+
   const SampledWorlds& worlds() const { return *worlds_; }
 
  private:
