@@ -18,12 +18,13 @@ CspacePlanner::CspacePlanner(const CspaceMemory& memory, const MotionSpace& spac
 
 Result<Plan> CspacePlanner::plan(const Pose& start, const Pose& goal) {
   PathPlanner planner(space_, parameters_, seed_++);
+  planner.keepTree(keep_tree_);
   const double spacing = kCheckShare * memory_.radius();
   const auto path = planner.plan(
       start, goal, [&](const Pose& pose) { return memory_.isValid(pose, start); },
       CheckResolution{spacing, spacing});
   if (!path) return Failure{path.reason()};
-  return Plan{*path, 0.0};
+  return Plan{*path, 0.0, planner.tree()};
 }
 
 }  // namespace smore

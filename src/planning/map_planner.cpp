@@ -47,13 +47,14 @@ Result<Plan> MapPlanner::planFrom(double threshold, const Pose& start, const Pos
   const auto checker = makeChecker(threshold, start);
   const double depth = parameters_.overlap_share * checker->voxelSize();
   PathPlanner planner(space_, parameters_.path, seed_++);
+  planner.keepTree(keep_tree_);
   const auto path = planner.plan(
       start, goal, [&checker](const Pose& pose) { return !checker->inCollision(pose); },
       [&checker, depth](const Pose& from, const Pose& to) {
         return isMotionFree(*checker, from, to, depth);
       });
   if (!path) return Failure{path.reason()};
-  return Plan{*path, 0.0};
+  return Plan{*path, 0.0, planner.tree()};
 }
 
 std::unique_ptr<CollisionChecker> MapPlanner::makeChecker(double threshold,

@@ -130,7 +130,23 @@ class Search {
     return toPath(*problem->getSolutionPath()->as<og::PathGeometric>(), start, goal);
   }
 
+  std::vector<TreeEdge> tree() const {
+    ob::PlannerData data(information_);
+    planner_->getPlannerData(data);
+    std::vector<TreeEdge> edges;
+    for (unsigned int from = 0; from < data.numVertices(); ++from) {
+      std::vector<unsigned int> ends;
+      data.getEdges(from, ends);
+      for (const unsigned int to : ends) edges.push_back({origin(data, from), origin(data, to)});
+    }
+    return edges;
+  }
+
  private:
+  Vec3 origin(const ob::PlannerData& data, unsigned int vertex) const {
+    return space_.toPose(data.getVertex(vertex).getState()).translation();
+  }
+
   ob::PlannerPtr makePlanner(std::uint32_t seed) const {
     if (parameters_.algorithm == PlannerAlgorithm::kRrtConnect) {
       auto planner = std::make_shared<og::RRTConnect>(information_);
@@ -212,6 +228,7 @@ Result<Path> PathPlanner::plan(const Pose& start, const Pose& goal, const StateV
 Result<Path> PathPlanner::plan(const Pose& start, const Pose& goal, const StateValidity& valid,
                                const MotionValidity& motion_valid) {
   silenceOmpl();
+  tree_.clear();
   const MotionStateSpace states(space_, seed_);
   for (const auto& [name, pose] : {std::make_pair("start", start), std::make_pair("goal", goal)}) {
     const std::string reason = refusal(name, pose, space_, states, valid);
@@ -219,7 +236,10 @@ Result<Path> PathPlanner::plan(const Pose& start, const Pose& goal, const StateV
   }
   if (distanceBetween(start, goal) + angleBetween(start, goal) <= kSamePose)
     return Path{start, goal};
-  return Search(states, parameters_, seed_, valid, motion_valid).run(start, goal);
+  Search search(states, parameters_, seed_, valid, motion_valid);
+  Result<Path> path = search.run(start, goal);
+  if (keep_tree_) tree_ = search.tree();
+  return path;
 }
 
 }  // namespace smore

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include "smore/planning/contact_risk.h"
 
 namespace smore {
 namespace {
@@ -30,6 +33,7 @@ struct RiskPlanner::Search {
   RiskState start;
   RiskState goal;
   CounterRandom random;
+  std::vector<TreeEdge> edges = {};
 };
 
 struct RiskPlanner::Trees {
@@ -58,7 +62,8 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   for (const RiskState& state : best->states()) plan.path.push_back(space_.toPose(state));
   plan.path.front() = start;
   plan.path.back() = goal;
-  plan.risk = best->risk();
+  plan.risk = ContactRisk(*belief_).ofMotion(plan.path);
+  plan.tree = std::move(search.edges);
   return plan;
 }
 
@@ -76,7 +81,19 @@ std::vector<RiskPath> RiskPlanner::climb(Search* search) const {
     }
     if (static_cast<int>(paths.size()) >= parameters_.paths) break;
   }
+  if (keep_tree_) keepEdges(trees, search);
   return paths;
+}
+
+void RiskPlanner::keepEdges(const Trees& trees, Search* search) const {
+  for (const RiskTree* tree : {&trees.from_start, &trees.from_goal}) {
+    for (int node = 0; node < tree->size(); ++node) {
+      const int parent = tree->parent(node);
+      if (parent < 0) continue;
+      search->edges.push_back({space_.toPose(tree->state(parent)).translation(),
+                               space_.toPose(tree->state(node)).translation()});
+    }
+  }
 }
 
 RiskPlanner::Trees RiskPlanner::plant(const Search& search) const {

@@ -40,7 +40,7 @@ void imposeScenario(const Scenario& scenario, YAML::Node parameters, ParameterRe
   impose("line", "added_offset_stddev", scenario.line_noise.offset);
 }
 
-ForceTorqueParameters readParameters(YAML::Node mapping, const std::string& source) {
+ForceTorqueParameters readParameters(const YAML::Node& mapping, const std::string& source) {
   ParameterReader reader(mapping, source);
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
   // After a scenario that cannot be read, its error is all there is to say.

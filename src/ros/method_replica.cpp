@@ -25,8 +25,9 @@ bool MethodReplica::extend(const EvidencePart& part) {
   return false;
 }
 
-Result<Plan> MethodReplica::plan(const Pose& start, const Pose& goal) {
-  return method_.planner->plan(start, goal);
+Result<Plan> MethodReplica::plan(const Pose& start, const Pose& goal, bool relaxed) {
+  method_.planner->keepTree(true);
+  return relaxed ? method_.planner->planRelaxed(start, goal) : method_.planner->plan(start, goal);
 }
 
 PoseAssessment MethodReplica::assess(const Pose& T_world_object, const Pose& known_free) const {

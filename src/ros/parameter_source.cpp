@@ -13,13 +13,14 @@ namespace {
 
 YAML::Node arrayToYaml(const XmlRpc::XmlRpcValue& value) {
   YAML::Node list(YAML::NodeType::Sequence);
-  for (int i = 0; i < value.size(); ++i) list.push_back(toYaml(value[i]));
+  const int size = value.size();  // arrays have no iterators
+  for (int i = 0; i < size; ++i) list.push_back(toYaml(value[i]));
   return list;
 }
 
-YAML::Node structToYaml(XmlRpc::XmlRpcValue value) {
+YAML::Node structToYaml(XmlRpc::XmlRpcValue* value) {
   YAML::Node mapping(YAML::NodeType::Map);
-  for (auto& entry : value) mapping[entry.first] = toYaml(entry.second);
+  for (auto& entry : *value) mapping[entry.first] = toYaml(entry.second);
   return mapping;
 }
 
@@ -44,7 +45,7 @@ YAML::Node toYaml(const XmlRpc::XmlRpcValue& value) {
     case XmlRpc::XmlRpcValue::TypeArray:
       return arrayToYaml(copy);
     case XmlRpc::XmlRpcValue::TypeStruct:
-      return structToYaml(copy);
+      return structToYaml(&copy);
     default:
       return YAML::Node();
   }
@@ -82,6 +83,7 @@ MethodKind readMethod(ParameterReader* reader) {
   const std::vector<MethodKind> kinds = {MethodKind::kPaper, MethodKind::kCspace,
                                          MethodKind::kSmore};
   std::vector<std::string> choices;
+  choices.reserve(kinds.size());
   for (const MethodKind kind : kinds) choices.push_back(methodName(kind));
   int index = 0;
   reader->choice("method", choices, &index);

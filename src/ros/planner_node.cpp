@@ -57,6 +57,8 @@ class PlannerNode {
     path_ = node_.advertise<nav_msgs::Path>(names::kPath, names::kLatestQueue, true);
     markers_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPathMarkers,
                                                                 names::kLatestQueue, true);
+    tree_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPlanTree, names::kLatestQueue,
+                                                             true);
     plan_ = node_.advertiseService(names::kPlanPath, &PlannerNode::onPlan, this);
     check_ = node_.advertiseService(names::kCheckPose, &PlannerNode::onCheck, this);
   }
@@ -99,11 +101,11 @@ class PlannerNode {
     if (!start) return "start: " + start.reason();
     const Result<Pose> goal = fromMessage(request.goal, parameters_.frames.world);
     if (!goal) return "goal: " + goal.reason();
-    const std::string problem = synchronise(request.not_before);
+    std::string problem = synchronise(request.not_before);
     if (!problem.empty()) return problem;
 
     const ros::WallTime begin = ros::WallTime::now();
-    const Result<Plan> plan = replica_.plan(*start, *goal);
+    const Result<Plan> plan = replica_.plan(*start, *goal, request.relaxed != 0);
     if (!plan) return plan.reason();
     ROS_INFO("path of %.2f m at risk %.2f planned in %.2f s", pathLength(plan->path), plan->risk,
              (ros::WallTime::now() - begin).toSec());
@@ -116,6 +118,9 @@ class PlannerNode {
 
   void show(const Plan& plan, const nav_msgs::Path& message) {
     path_.publish(message);
+    if (tree_.getNumSubscribers() > 0) {
+      tree_.publish(treeMarkers(plan.tree, parameters_.frames.world));
+    }
     const Path dense = densify(plan.path, kColorDistance, kColorAngle);
     markers_.publish(pathMarkers(dense, replica_.risksAlong(dense), parameters_.frames.world));
   }
@@ -138,7 +143,7 @@ class PlannerNode {
   ros::Time stamp_;
   ros::NodeHandle node_;
   ros::ServiceClient maps_;
-  ros::Publisher path_, markers_;
+  ros::Publisher path_, markers_, tree_;
   ros::ServiceServer plan_, check_;
 };
 

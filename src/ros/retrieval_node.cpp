@@ -58,9 +58,19 @@ class RosPlanner : public Planner {
   bool waitUntilReady(double timeout) { return client_.waitForExistence(ros::Duration(timeout)); }
 
   Result<Plan> plan(const Pose& start, const Pose& goal) override {
+    return ask(start, goal, false);
+  }
+
+  Result<Plan> planRelaxed(const Pose& start, const Pose& goal) override {
+    return ask(start, goal, true);
+  }
+
+ private:
+  Result<Plan> ask(const Pose& start, const Pose& goal, bool relaxed) {
     smore_msgs::PlanPath call;
     call.request.start = stamped(start);
     call.request.goal = stamped(goal);
+    call.request.relaxed = static_cast<unsigned char>(relaxed);
     call.request.not_before.fromSec(robot_->stamp());
     if (!client_.call(call)) {
       return Failure{"the service '" + client_.getService() +
@@ -72,7 +82,6 @@ class RosPlanner : public Planner {
     return Plan{*path, call.response.risk};
   }
 
- private:
   geometry_msgs::PoseStamped stamped(const Pose& pose) const {
     geometry_msgs::PoseStamped message;
     message.header.frame_id = world_frame_;
@@ -161,7 +170,7 @@ class RetrievalNode {
 
   std::string waitUntilReady() {
     ROS_INFO("waiting for sensor, maps and planner");
-    const std::string problem = robot_.waitUntilReady();
+    std::string problem = robot_.waitUntilReady();
     if (!problem.empty()) return problem;
     return planner_.waitUntilReady(parameters_.robot.ready_timeout)
                ? ""

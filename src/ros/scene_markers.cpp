@@ -10,6 +10,7 @@ namespace {
 constexpr float kSceneOpacity = 0.35F;  // the maps are to be seen through the true shapes
 constexpr double kLineWidth = 0.004;    // [m]
 constexpr double kPathWidth = 0.01;     // [m]
+constexpr double kTreeWidth = 0.001;    // [m]
 
 std_msgs::ColorRGBA color(float red, float green, float blue, float alpha) {
   std_msgs::ColorRGBA result;
@@ -132,6 +133,22 @@ visualization_msgs::MarkerArray pathMarkers(const Path& path, const std::vector<
     marker.colors.push_back(riskColor(risks.at(i)));
   }
   if (path.size() < 2) marker.action = visualization_msgs::Marker::DELETE;
+  array.markers.push_back(marker);
+  return array;
+}
+
+visualization_msgs::MarkerArray treeMarkers(const std::vector<TreeEdge>& tree,
+                                            const std::string& frame) {
+  visualization_msgs::MarkerArray array;
+  visualization_msgs::Marker marker =
+      makeMarker(frame, "tree", 0, visualization_msgs::Marker::LINE_LIST);
+  marker.scale.x = kTreeWidth;
+  marker.color = color(0.9F, 0.9F, 0.6F, 0.6F);
+  for (const TreeEdge& edge : tree) {
+    marker.points.push_back(toPoint(edge.from));
+    marker.points.push_back(toPoint(edge.to));
+  }
+  if (tree.empty()) marker.action = visualization_msgs::Marker::DELETE;
   array.markers.push_back(marker);
   return array;
 }

@@ -37,6 +37,8 @@ class PlannerNode(unittest.TestCase):
     def test_a_path_leads_from_start_to_goal_and_is_shown(self):
         paths = Recorder("path", Path)
         markers = Recorder("path_risk", MarkerArray)
+        tree = Recorder("plan_tree", MarkerArray)
+        self.assertTrue(tree.wait_for_publisher())
         answer = self.plan()
         self.assertTrue(answer.success, answer.message)
         self.assertEqual(answer.path.header.frame_id, "world")
@@ -46,6 +48,7 @@ class PlannerNode(unittest.TestCase):
         self.assertLessEqual(answer.risk, 1.0)
         self.assertIsNotNone(paths.wait_for(lambda path: path.poses == answer.path.poses))
         self.assertIsNotNone(markers.wait_for(lambda array: array.markers[0].points))
+        self.assertIsNotNone(tree.wait_for(lambda array: array.markers[0].points))
 
     def test_it_plans_on_maps_that_hold_the_newest_contact(self):
         before = self.plan().revision

@@ -131,6 +131,7 @@ TEST_P(Replica, FollowsTheMappingPartByPart) {
   EXPECT_EQ(replica_.size(), partFrom(0).observations.size());
   const Result<Plan> plan = replica_.plan(Pose::Identity(), plainScenario().goal);
   ASSERT_TRUE(plan) << plan.reason();
+  EXPECT_FALSE(plan->tree.empty());
   const std::vector<double> risks = replica_.risksAlong(plan->path);
   ASSERT_EQ(risks.size(), plan->path.size());
   for (size_t i = 1; i < risks.size(); ++i) EXPECT_GE(risks[i], risks[i - 1]);

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "smore/common/geometry.h"
 #include "smore/common/result.h"
+#include "smore/planning/planner.h"
 #include "smore/scenario/motion_space.h"
 
 namespace smore {
@@ -54,10 +56,16 @@ class PathPlanner {
   Result<Path> plan(const Pose& start, const Pose& goal, const StateValidity& valid,
                     const MotionValidity& motion_valid);
 
+  /// From now on `tree` holds what each search explores.
+  void keepTree(bool keep) { keep_tree_ = keep; }
+  const std::vector<TreeEdge>& tree() const { return tree_; }
+
  private:
   MotionSpace space_;
   PathPlannerParameters parameters_;
   std::uint32_t seed_;
+  bool keep_tree_ = false;
+  std::vector<TreeEdge> tree_;
 };
 
 }  // namespace smore

@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "smore/common/geometry.h"
 #include "smore/common/result.h"
 
 namespace smore {
 
+/// One edge of a search tree, by the positions of the object frame's origin in the world [m].
+struct TreeEdge {
+  Vec3 from;
+  Vec3 to;
+};
+
 struct Plan {
   Path path;  ///< from the start to within the goal's tolerance
   double risk =
       0.0;  ///< probability that the motion touches, as far as the planner knows; in [0, 1]
+  std::vector<TreeEdge> tree = {};  ///< what the search explored, for display; see keepTree
 };
 
 /// Finds a motion by what has been learnt so far.
@@ -25,6 +34,12 @@ class Planner {
   virtual Result<Plan> planRelaxed(const Pose& /*start*/, const Pose& /*goal*/) {
     return Failure{"this planner knows no path that is less certain"};
   }
+
+  /// Whether plans carry the tree of their search, which takes time. They do not at first.
+  void keepTree(bool keep) { keep_tree_ = keep; }
+
+ protected:
+  bool keep_tree_ = false;
 };
 
 }  // namespace smore

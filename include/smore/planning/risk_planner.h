@@ -45,6 +45,7 @@ class RiskPlanner : public Planner {
                                                 CounterRandom* random) const;
   RiskState draw(const RiskTree& tree, CounterRandom* random) const;
   void plantTracks(RiskTree* tree) const;
+  void keepEdges(const Trees& trees, Search* search) const;
 
   const JointBelief* belief_;
   RiskPlannerParameters parameters_;

@@ -26,6 +26,9 @@ class RiskTree {
   int size() const { return static_cast<int>(states_.size()); }
   const RiskState& state(int node) const { return states_[node]; }
 
+  /// The node above `node`; negative for a root.
+  int parent(int node) const { return parents_[node]; }
+
   /// One step towards `target`. Where the whole step would be too risky, a part of it: in a narrow
   /// slot nothing longer fits.
   Extension extend(const RiskState& target, int limit);

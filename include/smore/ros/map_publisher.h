@@ -14,7 +14,7 @@ namespace smore {
 /// listens; what comes later finds the last one latched.
 class MapPublisher {
  public:
-  MapPublisher(ros::NodeHandle node, const std::string& space, const std::string& frame,
+  MapPublisher(const ros::NodeHandle& node, const std::string& space, const std::string& frame,
                const MapColors& colors, double min_probability)
       : frame_(frame), colors_(colors), min_probability_(min_probability) {
     ros::NodeHandle map_node(node, space);

@@ -38,7 +38,8 @@ class MethodReplica {
   /// (where the method learns maps at all).
   bool extend(const EvidencePart& part);
 
-  Result<Plan> plan(const Pose& start, const Pose& goal);
+  /// `relaxed`: as Planner::planRelaxed. Plans carry their trees.
+  Result<Plan> plan(const Pose& start, const Pose& goal, bool relaxed = false);
 
   /// `known_free` is a pose where the object stands free: the start.
   PoseAssessment assess(const Pose& T_world_object, const Pose& known_free) const;

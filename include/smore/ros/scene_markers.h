@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "smore/contact/line_of_action.h"
+#include "smore/planning/planner.h"
 #include "smore/ros/conversions.h"
 #include "smore/scenario/scenario.h"
 
@@ -25,6 +26,10 @@ visualization_msgs::MarkerArray lineMarkers(const std::vector<LineOfAction>& lin
 /// The path as one line in the world frame, coloured at each pose by its entry in `risks` (as many
 /// as poses, each in [0, 1]): cyan for 0 to purple for 1.
 visualization_msgs::MarkerArray pathMarkers(const Path& path, const std::vector<double>& risks,
+                                            const std::string& frame);
+
+/// The edges of a search as one list of lines in the world frame.
+visualization_msgs::MarkerArray treeMarkers(const std::vector<TreeEdge>& tree,
                                             const std::string& frame);
 
 }  // namespace smore
