@@ -147,6 +147,7 @@ std::vector<TrialResult> runExperiment(const Scenario& scenario,
     }
   };
   std::vector<std::thread> threads;
+  threads.reserve(parameters.jobs);
   for (int i = 0; i < parameters.jobs; ++i) threads.emplace_back(work);
   for (std::thread& thread : threads) thread.join();
   if (failure) std::rethrow_exception(failure);
