@@ -105,7 +105,7 @@ void ContactSensing::startTare() {
 std::optional<LineOfAction> ContactSensing::measureLine(double time, ContactState state) {
   if (state != ContactState::kContact) {
     const bool lost = average_ && !average_->given && average_->count > 0;
-    const auto line = lost ? averagedLine() : std::nullopt;
+    auto line = lost ? averagedLine() : std::nullopt;
     average_.reset();
     return line;
   }

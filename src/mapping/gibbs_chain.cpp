@@ -54,6 +54,7 @@ std::vector<int> GibbsChain::visitOrder(std::uint64_t seed) const {
   }
   std::sort(keyed.begin(), keyed.end());
   std::vector<int> order;
+  order.reserve(keyed.size());
   for (const auto& entry : keyed) order.push_back(entry.second);
   return order;
 }
@@ -164,7 +165,7 @@ void GibbsChain::addAttraction(int contact, const PointArray& places,
   for (std::size_t l = 0; l < contacts_->size(); ++l) {
     if (places_[l] == kFalseContact || static_cast<int>(l) == contact) continue;
     const float gain = 1.0F / (base + sums[l]);
-    const Eigen::Vector3f other = at[l];
+    const Eigen::Vector3f& other = at[l];
     for (int i = 0; i < kCandidates; ++i) {
       const float dx = places.x[i] - other.x();
       const float dy = places.y[i] - other.y();
