@@ -257,7 +257,7 @@ void runRetrieval() {
   RetrievalNode node(parameters, *scenario);
   if (!parameters.auto_start) {
     ros::waitForShutdown();
-  } else if (!node.runOnce()) {
+  } else if (!node.runOnce() && ros::ok()) {
     throw std::runtime_error("the retrieval did not succeed");
   }
 }

@@ -168,7 +168,17 @@ MotionResult RosRobot::reset(const Pose& start) {
   stream_.close();
   trail_.clear();
   if (!result.reason.empty()) result.end = MotionEnd::kFault;
+  if (stop_requested_) result = {MotionEnd::kStopped, "stopped by the user", 0.0};
   return result;
+}
+
+std::optional<ContactObservation> RosRobot::nextObservation() {
+  const ros::WallTime deadline =
+      ros::WallTime::now() + ros::WallDuration(parameters_.silence_timeout);
+  while (ros::ok() && !stop_requested_ && ros::WallTime::now() < deadline) {
+    if (const auto observation = stream_.next(kRestTime)) return observation;
+  }
+  return std::nullopt;
 }
 
 RosRobot::Motion RosRobot::begin(const Path& path) {
@@ -191,11 +201,11 @@ RosRobot::Motion RosRobot::begin(const Path& path) {
 }
 
 RosRobot::Step RosRobot::advance(Motion* motion) {
+  const auto observation = nextObservation();
   if (stop_requested_ || !ros::ok()) {
     motion->reason = "stopped by the user";
     return Step::kFault;
   }
-  const auto observation = stream_.next(parameters_.silence_timeout);
   if (!observation) {
     motion->reason =
         "no contact observation came for so long during a motion that the sensor must be "
@@ -242,7 +252,7 @@ void RosRobot::settleInContact(Motion* motion) {
   const double deadline = motion->last.time + kSettleDeadline;
   while (!motion->last.line && motion->last.state == ContactState::kContact &&
          motion->last.time < deadline) {
-    const auto observation = stream_.next(parameters_.silence_timeout);
+    const auto observation = nextObservation();
     if (!observation) return;
     motion->last = *observation;
   }
@@ -250,7 +260,7 @@ void RosRobot::settleInContact(Motion* motion) {
 
 bool RosRobot::waitUntilFree() {
   std::optional<double> deadline;
-  while (const auto observation = stream_.next(parameters_.silence_timeout)) {
+  while (const auto observation = nextObservation()) {
     if (observation->state == ContactState::kFree) return true;
     if (!deadline) deadline = observation->time + kSettleDeadline;
     if (observation->time > *deadline) return false;
@@ -260,7 +270,7 @@ bool RosRobot::waitUntilFree() {
 
 bool RosRobot::waitUntilAt(const Pose& target) {
   std::optional<double> deadline;
-  while (const auto observation = stream_.next(parameters_.silence_timeout)) {
+  while (const auto observation = nextObservation()) {
     if (gap(observation->T_world_object, target) < kAtTarget) return true;
     if (!deadline) deadline = observation->time + kSettleDeadline;
     if (observation->time > *deadline) return false;

@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 
 #include <atomic>
+#include <optional>
 #include <string>
 
 #include "smore/common/robot.h"
@@ -51,6 +52,8 @@ class RosRobot : public Robot {
   struct Motion;
 
   std::string missingBeside(const ContactObservation& observation);
+  /// Nothing if none comes within the silence timeout, or the user asks for the stop meanwhile.
+  std::optional<ContactObservation> nextObservation();
   Motion begin(const Path& path);
   Step advance(Motion* motion);
   void send(const Path& path);
