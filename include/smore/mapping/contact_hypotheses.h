@@ -17,8 +17,8 @@ constexpr int kCandidates = 128;
 /// the world, with their common normal on the line of action. Any two such balls stand for matter,
 /// so they may never overlap.
 struct FeatureParameters {
-  double radius = 0.015;  ///< of the balls [m]: how deep matter is claimed behind a touched surface
-  double tolerance = 0.005;  ///< overlap of two balls that is still no contradiction [m]
+  double radius = 0.025;  ///< of the balls [m]: how deep matter is claimed behind a touched surface
+  double tolerance = 0.008;  ///< overlap of two balls that is still no contradiction [m]
   double reach = 0.6;  ///< largest distance of touched matter from the object frame's origin [m]
   double decay =
       0.35;  ///< touches grow rarer with the distance r from the origin as exp(-r/decay) [m]

@@ -16,7 +16,7 @@ namespace smore {
 struct ExtentParameters {
   double object_length = 0.15;  ///< mean length to each side of a touch on the object [m]
   double world_length = 0.04;   ///< the same in the world [m]
-  double normal_stddev = 0.1;   ///< of the normal, from friction that tilts the force [rad]
+  double normal_stddev = 0.0;   ///< of the normal, beyond what the line itself states [rad]
 };
 
 /// The surroundings of a joint sample: all that SampledWorlds is made from. Views.
