@@ -176,7 +176,7 @@ std::optional<ContactObservation> RosRobot::nextObservation() {
   const ros::WallTime deadline =
       ros::WallTime::now() + ros::WallDuration(parameters_.silence_timeout);
   while (ros::ok() && !stop_requested_ && ros::WallTime::now() < deadline) {
-    if (const auto observation = stream_.next(kRestTime)) return observation;
+    if (auto observation = stream_.next(kRestTime)) return observation;
   }
   return std::nullopt;
 }
