@@ -22,8 +22,8 @@ class InProcessRobot : public Robot {
   using ObservationCallback = std::function<void(const ContactObservation&)>;
 
   /// Tares at the present pose; std::runtime_error if the sensor does not settle. `robot` must
-  /// outlive this. `on_observation` gets each observation of commanded motions and of the rest at
-  /// the start.
+  /// outlive this. `on_observation` gets each observation but those made
+  /// while the robot moves back along its way.
   InProcessRobot(SimulatedRobot* robot, const ContactSensingParameters& sensing, std::uint64_t seed,
                  ObservationCallback on_observation);
 
