@@ -28,6 +28,10 @@ double distanceBetween(const Pose& a, const Pose& b) {
   return (a.translation() - b.translation()).norm();
 }
 
+double gapBetween(const Pose& a, const Pose& b) {
+  return distanceBetween(a, b) + angleBetween(a, b);
+}
+
 Pose interpolate(const Pose& a, const Pose& b, double fraction) {
   const Eigen::Quaterniond from(a.linear());
   const Eigen::Quaterniond to(b.linear());

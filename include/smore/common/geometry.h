@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <vector>
 
 namespace smore {
@@ -14,6 +15,9 @@ using Pose = Eigen::Isometry3d;
 
 /// Poses of the object frame in the world, in the order in which they are visited.
 using Path = std::vector<Pose>;
+
+/// Standard gravity in the world, whose z axis points up [m/s^2] (ISO 80000-3).
+inline Vec3 gravity() { return {0.0, 0.0, -9.80665}; }
 
 /// Force [N] and torque [N m] about the origin of the frame whose axes they are given in.
 struct Wrench {
@@ -33,11 +37,17 @@ struct Bounds {
 /// in this order (the URDF convention).
 Pose makePose(const Vec3& position, const Vec3& rpy = Vec3::Zero());
 
+/// The same angle in [-pi, pi] [rad].
+inline double wrapped(double angle) { return std::remainder(angle, 2.0 * M_PI); }
+
 /// Angle of the rotation between two poses [rad], in [0, pi].
 double angleBetween(const Pose& a, const Pose& b);
 
 /// Distance of the origins [m].
 double distanceBetween(const Pose& a, const Pose& b);
+
+/// Both in one number, as the paper's C-space planner has it [m + rad].
+double gapBetween(const Pose& a, const Pose& b);
 
 /// The pose at `fraction` in [0, 1] of the way from a to b: the position moves on a straight line,
 /// the rotation about one fixed axis, both at constant rate.

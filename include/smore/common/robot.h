@@ -37,8 +37,8 @@ class Robot {
   /// returns.
   virtual MotionResult follow(const Path& path) = 0;
 
-  /// Moves back along the way it came, at least `distance` [m + rad] if there is so much of it.
-  /// Touching on the way does not stop it: it moves where it has been.
+  /// Moves back along the way it came, at least `distance` [m + rad] if there is so much of it, and
+  /// on until nothing touches. Touching on the way does not stop it: it moves where it has been.
   virtual MotionResult retreat(double distance) = 0;
 
   /// Brings the object to `start` without touching (the simulator sets it there; a real arm

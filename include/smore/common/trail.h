@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "smore/common/geometry.h"
+
+namespace smore {
+
+/// The way that a robot has come, to go back along it.
+class Trail {
+ public:
+  /// Notes where the robot is on its way on, unless it has hardly moved (2 mm plus radians) since.
+  void record(const Pose& pose);
+
+  /// Forgets the part that the robot has gone back along; `here` is a pose of its way back.
+  void unwind(const Pose& here);
+
+  /// The way back from `here`: the newest poses first, at least `distance` [m + rad] of it if there
+  /// is so much; empty where the robot is back at the beginning.
+  Path wayBack(const Pose& here, double distance) const;
+
+  void clear() { poses_.clear(); }
+
+ private:
+  Path poses_;
+};
+
+}  // namespace smore

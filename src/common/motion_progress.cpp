@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/common/motion_progress.h"
+
+namespace smore {
+namespace {
+
+// A robot at its target is this near [m + rad], and moved less than this during the last 10 ms.
+constexpr double kAtTarget = 2e-3;
+constexpr double kAtRest = 1e-4;
+constexpr double kRestTime = 0.01;
+// Share of the motion's time before which no arrival counts.
+constexpr double kEarliest = 0.9;
+// A robot that stands for so long [s] was stopped, or is paused.
+constexpr double kStallTime = 0.5;
+// A motion may take so many times what its speed says, and so much more [s].
+constexpr double kSlowness = 3.0;
+constexpr double kSlack = 5.0;
+
+}  // namespace
+
+MotionProgress::MotionProgress(double time, const Pose& here, const Pose& target, double duration)
+    : begin_(time),
+      target_(target),
+      duration_(duration),
+      last_(here),
+      rest_pose_(here),
+      rest_since_(time) {}
+
+MotionStage MotionProgress::update(double time, const Pose& here) {
+  length_ += distanceBetween(last_, here);
+  last_ = here;
+  if (gapBetween(rest_pose_, here) > kAtRest) {
+    rest_pose_ = here;
+    rest_since_ = time;
+  }
+  const double elapsed = time - begin_;
+  const double rest = time - rest_since_;
+  const bool may_arrive = elapsed >= kEarliest * duration_;
+  if (rest >= kRestTime && may_arrive && gapBetween(here, target_) < kAtTarget) {
+    return MotionStage::kArrived;
+  }
+  if (elapsed > kSlowness * duration_ + kSlack) return MotionStage::kLate;
+  return rest >= kStallTime ? MotionStage::kStalled : MotionStage::kUnderWay;
+}
+
+}  // namespace smore
