@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <urdf_model/model.h>
+#include <urdf_world/types.h>
+
+#include <string>
+#include <vector>
+
+#include "smore/common/geometry.h"
+#include "smore/scenario/shape.h"
+
+namespace smore {
+
+/// A robot description (URDF) as urdfdom reads it. Never null where it comes from here.
+using UrdfModel = urdf::ModelInterfaceSharedPtr;
+
+/// Reads a URDF text; `source` names it in messages. InputError where it is malformed.
+UrdfModel parseUrdf(const std::string& xml, const std::string& source);
+
+/// Reads a URDF file. InputError where it cannot be read or is malformed.
+UrdfModel loadUrdf(const std::string& file);
+
+/// The arm of scenarios with `robot: ur5e`: urdf/ur5e_2f85.urdf as it was when this was built.
+UrdfModel ur5eUrdf();
+
+Pose toPose(const urdf::Pose& pose);
+
+/// The collision shapes of a link, in the link's frame. InputError for a mesh, with the remedy.
+std::vector<Shape> collisionShapes(const urdf::Link& link);
+
+}  // namespace smore
