@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "smore/contact/sensor_noise.h"
+
 namespace smore {
 namespace {
 
@@ -15,17 +17,20 @@ constexpr double kTimeTolerance = 1e-6;
 ContactDetector::ContactDetector(const ContactDetectorParameters& parameters)
     : parameters_(parameters) {}
 
-ContactState ContactDetector::process(double time, const Vec3& force) {
+ContactState ContactDetector::process(double time, const Vec3& force, double mean_stddev) {
   samples_.emplace_back(time, force);
-  const double longest = std::max(parameters_.fast_window, parameters_.slow_window);
+  const double longest = std::max(parameters_.release_window, parameters_.slow_window);
   while (time - samples_.front().first > longest + kTimeTolerance) samples_.pop_front();
 
-  updateContact(time, meanForce(parameters_.fast_window).norm());
+  updateContact(time);
   if (in_contact_) return ContactState::kContact;
   // The slow mean says nothing about free space before its window is full.
   const bool window_full =
       time - samples_.front().first >= parameters_.slow_window - kTimeTolerance;
-  const bool quiet = meanForce(parameters_.slow_window).norm() < parameters_.free_force;
+  static const double quantile = maxwellQuantile(kMissedFreeSpace);
+  const double explained = std::min(quantile * mean_stddev, parameters_.release_force);
+  const bool quiet =
+      meanForce(parameters_.slow_window).norm() < std::max(parameters_.free_force, explained);
   return window_full && quiet ? ContactState::kFree : ContactState::kUnsure;
 }
 
@@ -47,18 +52,22 @@ Vec3 ContactDetector::meanForce(double window) const {
   return sum / count;
 }
 
-void ContactDetector::updateContact(double time, double fast_force) {
+void ContactDetector::updateContact(double time) {
   if (in_contact_) {
-    in_contact_ = fast_force >= parameters_.release_force;
+    // The mean must not reach back before the contact's own rise.
+    const double overhang = parameters_.release_window - parameters_.fast_window;
+    if (time - confirmed_at_ < overhang - kTimeTolerance) return;
+    in_contact_ = meanForce(parameters_.release_window).norm() >= parameters_.release_force;
     return;
   }
-  if (fast_force < parameters_.contact_force) {
+  if (meanForce(parameters_.fast_window).norm() < parameters_.contact_force) {
     above_since_ = -1.0;
     return;
   }
   if (above_since_ < 0.0) above_since_ = time;
   if (time - above_since_ >= parameters_.dwell - kTimeTolerance) {
     in_contact_ = true;
+    confirmed_at_ = time;
     above_since_ = -1.0;
     ++contact_count_;
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "smore/contact/noise_allowance.h"
+
 namespace smore {
 namespace {
 
@@ -13,6 +15,32 @@ constexpr double kTimeTolerance = 1e-6;  // [s], floating-point error of sample 
 std::pair<Vec3, Vec3> perpendiculars(const Vec3& axis) {
   const Vec3 first = axis.unitOrthogonal();
   return {first, axis.cross(first)};
+}
+
+// A force less what a weight of any direction may be of it.
+Vec3 shortened(const Vec3& force, double weight) {
+  const double norm = force.norm();
+  return norm > weight ? Vec3(force * (1.0 - weight / norm)) : Vec3::Zero();
+}
+
+SensorNoise readNoise(ParameterReader reader) {
+  SensorNoise noise;
+  reader.number("force_stddev", &noise.force_stddev, {0.0, 100.0});
+  reader.number("torque_stddev", &noise.torque_stddev, {0.0, 100.0});
+  reader.number("force_drift", &noise.force_drift, {0.0, 100.0});
+  reader.number("sample_period", &noise.sample_period, {1e-5, 1.0});
+  reader.number("filter_time_constant", &noise.filter_time_constant, {0.0, 1.0});
+  reader.finishNested();
+  return noise;
+}
+
+Payload readPayload(ParameterReader reader) {
+  Payload payload;
+  reader.number("mass", &payload.mass, {0.0, 100.0});
+  reader.vector("center_of_mass", &payload.center_of_mass_object, {-10.0, 10.0});
+  reader.number("unknown_mass", &payload.unknown_mass, {0.0, 100.0});
+  reader.finishNested();
+  return payload;
 }
 
 TareParameters readTare(ParameterReader reader) {
@@ -32,6 +60,7 @@ ContactDetectorParameters readDetector(ParameterReader reader) {
   reader.number("dwell", &detector.dwell, {0.0, 1.0});
   reader.number("fast_window", &detector.fast_window, {0.0, 1.0});
   reader.number("slow_window", &detector.slow_window, {0.0, 10.0});
+  detector.release_window = detector.fast_window;
   if (detector.free_force >= detector.contact_force) {
     reader.error("free_force", "must be below contact_force");
   }
@@ -47,8 +76,6 @@ LineParameters readLine(ParameterReader reader) {
   reader.number("settle", &line.settle, {0.0, 10.0});
   reader.number("window", &line.window, {0.0, 10.0});
   reader.number("min_force", &line.min_force, {1e-3, 1000.0});
-  reader.number("force_stddev", &line.force_stddev, {0.0, 100.0});
-  reader.number("torque_stddev", &line.torque_stddev, {0.0, 100.0});
   reader.number("added_direction_stddev", &line.added_direction_stddev, {0.0, M_PI});
   reader.number("added_offset_stddev", &line.added_offset_stddev, {0.0, 1.0});
   reader.finishNested();
@@ -59,6 +86,8 @@ LineParameters readLine(ParameterReader reader) {
 
 ContactSensingParameters readContactSensingParameters(ParameterReader* reader) {
   ContactSensingParameters parameters;
+  parameters.noise = readNoise(reader->nested("noise"));
+  if (reader->has("payload")) parameters.payload = readPayload(reader->nested("payload"));
   parameters.tare = readTare(reader->nested("tare"));
   parameters.detector = readDetector(reader->nested("detector"));
   parameters.line = readLine(reader->nested("line"));
@@ -66,9 +95,10 @@ ContactSensingParameters readContactSensingParameters(ParameterReader* reader) {
 }
 
 ContactSensing::ContactSensing(const ContactSensingParameters& parameters, std::uint64_t seed)
-    : parameters_(parameters),
-      compensator_(parameters.tare),
-      detector_(parameters.detector),
+    : parameters_(allowForNoise(parameters)),
+      compensator_(parameters_.tare, parameters_.payload, parameters_.noise,
+                   parameters_.detector.slow_window),
+      detector_(parameters_.detector),
       random_(seed) {}
 
 Result<ContactObservation> ContactSensing::process(const WrenchSample& raw) {
@@ -90,51 +120,75 @@ Result<ContactObservation> ContactSensing::process(const WrenchSample& raw) {
   compensated_ = compensator_.process(raw).value_or(Wrench{});
   if (!compensator_.tared()) return observation;
 
-  observation.state = detector_.process(raw.time, compensated_.force);
+  const double slow_samples =
+      1.0 + parameters_.detector.slow_window / parameters_.noise.sample_period;
+  const double unknown = compensator_.unknownWeight(raw.T_world_object);
+  observation.state = detector_.process(raw.time, shortened(compensated_.force, unknown),
+                                        meanForceStddev(slow_samples));
   observation.contact_id = detector_.contactCount();
-  observation.line = measureLine(raw.time, observation.state);
+  // What the weight hides may touch, and a line of both leads nowhere.
+  const bool hidden = unknown >= parameters_.detector.free_force;
+  if (hidden && observation.state == ContactState::kFree) observation.state = ContactState::kUnsure;
+  observation.line = measureLine(raw, hidden ? ContactState::kUnsure : observation.state);
+  compensator_.track(raw, observation.state == ContactState::kFree);
   return observation;
 }
 
 void ContactSensing::startTare() {
   compensator_.startTare();
+  forgetContact();
+}
+
+void ContactSensing::setPayload(const Payload& payload) {
+  compensator_.setPayload(payload);
+  forgetContact();
+}
+
+void ContactSensing::forgetContact() {
   detector_.reset();
   average_.reset();
 }
 
-std::optional<LineOfAction> ContactSensing::measureLine(double time, ContactState state) {
+double ContactSensing::meanForceStddev(double samples) const {
+  return std::hypot(parameters_.noise.force_stddev / std::sqrt(samples), compensator_.biasStddev());
+}
+
+std::optional<LineOfAction> ContactSensing::measureLine(const WrenchSample& raw,
+                                                        ContactState state) {
   if (state != ContactState::kContact) {
     const bool lost = average_ && !average_->given && average_->count > 0;
-    auto line = lost ? averagedLine() : std::nullopt;
+    auto line = lost ? averagedLine(raw.sensor_object) : std::nullopt;
     average_.reset();
     return line;
   }
   if (!average_ || averaged_contact_ != detector_.contactCount()) {
     average_ = LineAverage{};
-    average_->confirmed_at = time;
+    average_->confirmed_at = raw.time;
     averaged_contact_ = detector_.contactCount();
   }
-  const double age = time - average_->confirmed_at;
+  const double age = raw.time - average_->confirmed_at;
   if (average_->given || age < parameters_.line.settle - kTimeTolerance) return std::nullopt;
   average_->sum.force += compensated_.force;
   average_->sum.torque += compensated_.torque;
   ++average_->count;
   const double end = parameters_.line.settle + parameters_.line.window;
-  return age >= end - kTimeTolerance ? averagedLine() : std::nullopt;
+  return age >= end - kTimeTolerance ? averagedLine(raw.sensor_object) : std::nullopt;
 }
 
-std::optional<LineOfAction> ContactSensing::averagedLine() {
+std::optional<LineOfAction> ContactSensing::averagedLine(const Vec3& sensor_object) {
   average_->given = true;
   const Wrench mean{average_->sum.force / average_->count, average_->sum.torque / average_->count};
   const Result<LineOfAction> line = lineOfAction(mean, parameters_.line.min_force);
   if (!line) return std::nullopt;
   LineOfAction result = *line;
-  // Independent errors of n samples average out; the force's error turns the line about the frame's
-  // origin, so it also shifts the point by its lever.
-  const double scale = 1.0 / (result.force * std::sqrt(average_->count));
-  result.direction_stddev = parameters_.line.force_stddev * scale;
-  result.offset_stddev = std::hypot(parameters_.line.torque_stddev * scale,
-                                    result.point.norm() * result.direction_stddev);
+  // The force's error e turns the line about its point p nearest to the sensor, and moves this one
+  // along itself by -p e / F; the torque's error shifts it across by e / F. Away from p the turn
+  // shifts the line too.
+  result.direction_stddev = meanForceStddev(average_->count) / result.force;
+  const double torque_stddev = parameters_.noise.torque_stddev / std::sqrt(average_->count);
+  const Vec3 lever = result.point - sensor_object;
+  result.offset_stddev =
+      std::hypot(torque_stddev / result.force, lever.norm() * result.direction_stddev);
   addErrors(&result);
   return result;
 }

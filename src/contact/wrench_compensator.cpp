@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/contact/wrench_compensator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 namespace smore {
 namespace {
 
-constexpr double kGravity = 9.80665;  // [m/s^2], standard gravity
+// How much more than the sensor's noise a sample standard deviation may be.
+constexpr double kNoiseMargin = 1.5;
 
 Wrench operator-(const Wrench& a, const Wrench& b) {
   return {a.force - b.force, a.torque - b.torque};
@@ -37,8 +39,14 @@ std::pair<double, double> spread(const std::vector<Wrench>& wrenches, const Wren
 
 }  // namespace
 
-WrenchCompensator::WrenchCompensator(const TareParameters& tare, const Payload& payload)
-    : parameters_(tare), payload_(payload) {}
+WrenchCompensator::WrenchCompensator(const TareParameters& tare, const Payload& payload,
+                                     const SensorNoise& noise, double track_delay)
+    : parameters_(tare), payload_(payload), noise_(noise), track_delay_(track_delay) {}
+
+void WrenchCompensator::setPayload(const Payload& payload) {
+  payload_ = payload;
+  startTare();
+}
 
 void WrenchCompensator::startTare() {
   bias_.reset();
@@ -47,34 +55,59 @@ void WrenchCompensator::startTare() {
 
 std::optional<Wrench> WrenchCompensator::process(const WrenchSample& raw) {
   const Wrench unloaded = raw.wrench - weight(raw.T_world_object);
-  if (bias_) return unloaded - *bias_;
+  if (bias_) return unloaded - bias_->bias();
   still_.push_back(unloaded);
-  if (static_cast<int>(still_.size()) >= parameters_.samples) finishTare();
+  if (static_cast<int>(still_.size()) >= parameters_.samples) finishTare(raw);
   return std::nullopt;
 }
 
-void WrenchCompensator::finishTare() {
+void WrenchCompensator::track(const WrenchSample& raw, bool free) {
+  if (bias_) bias_->observe(raw.time, raw.wrench - weight(raw.T_world_object), free);
+}
+
+double WrenchCompensator::unknownWeight(const Pose& T_world_object) const {
+  if (!bias_) return 0.0;
+  return payload_.unknown_mass * (gravityIn(T_world_object) - gravity_tared_).norm();
+}
+
+std::optional<double> WrenchCompensator::biasTime() const {
+  if (!bias_) return std::nullopt;
+  return std::max(tared_at_, bias_->learntAt());
+}
+
+void WrenchCompensator::finishTare(const WrenchSample& last) {
+  const double lever = last.sensor_object.norm();
+  const double torque_noise = std::hypot(noise_.torque_stddev, lever * noise_.force_stddev);
+  const double max_force_stddev =
+      std::max(parameters_.max_force_stddev, kNoiseMargin * noise_.force_stddev);
+  const double max_torque_stddev =
+      std::max(parameters_.max_torque_stddev, kNoiseMargin * torque_noise);
   const Wrench center = mean(still_);
   const auto [force_stddev, torque_stddev] = spread(still_, center);
   tare_problem_.clear();
-  if (force_stddev > parameters_.max_force_stddev ||
-      torque_stddev > parameters_.max_torque_stddev) {
+  if (force_stddev > max_force_stddev || torque_stddev > max_torque_stddev) {
     std::ostringstream problem;
     problem << "the robot was not still during the tare: standard deviation " << force_stddev
-            << " N and " << torque_stddev << " N m, allowed " << parameters_.max_force_stddev
-            << " N and " << parameters_.max_torque_stddev
-            << " N m; stop the robot, free the object, and tare again";
+            << " N and " << torque_stddev << " N m, allowed " << max_force_stddev << " N and "
+            << max_torque_stddev << " N m; stop the robot, free the object, and tare again";
     tare_problem_ = problem.str();
   } else {
-    bias_ = center;
+    const double duration = noise_.sample_period * static_cast<double>(still_.size());
+    // The mean's noise, and the walk from the samples to the end: its variance is a third of the
+    // whole walk's.
+    const double stddev =
+        std::hypot(noise_.force_stddev / std::sqrt(static_cast<double>(still_.size())),
+                   noise_.force_drift * std::sqrt(duration / 3.0));
+    bias_.emplace(noise_, track_delay_, center, stddev);
+    tared_at_ = last.time;
+    gravity_tared_ = gravityIn(last.T_world_object);
   }
   still_.clear();
 }
 
 Wrench WrenchCompensator::weight(const Pose& T_world_object) const {
-  const Vec3 gravity_world(0.0, 0.0, -kGravity);
   Wrench weight;
-  weight.force = payload_.mass * (T_world_object.linear().transpose() * gravity_world);
+  weight.force = payload_.mass * gravityIn(T_world_object);
   weight.torque = payload_.center_of_mass_object.cross(weight.force);
   return weight;
 }

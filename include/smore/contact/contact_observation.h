@@ -19,6 +19,8 @@ struct WrenchSample {
   double time = 0.0;  ///< [s]
   Wrench wrench;      ///< exerted by the environment on the object
   Pose T_world_object = Pose::Identity();
+  Vec3 sensor_object = Vec3::Zero();  ///< the sensor's origin in the object frame [m]: its torque's
+                                      ///< errors are errors about this point
 };
 
 /// What touch says about the pose at one instant.

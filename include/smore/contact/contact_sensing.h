@@ -16,23 +16,23 @@ namespace smore {
 
 /// How the line of action of a contact is measured.
 struct LineParameters {
-  double settle = 0.03;        ///< from the confirmed contact to the start of the average [s]
-  double window = 0.02;        ///< averaged [s]; the robot stands still in contact meanwhile
-  double min_force = 1.0;      ///< a mean force below gives no line [N]
-  double force_stddev = 0.0;   ///< of one sample, per axis; gives the line's uncertainty [N]
-  double torque_stddev = 0.0;  ///< of one sample, per axis [N m]
+  double settle = 0.03;    ///< from the confirmed contact to the start of the average [s]
+  double window = 0.02;    ///< averaged [s]; the robot stands still in contact meanwhile
+  double min_force = 1.0;  ///< a mean force below gives no line [N]
   double added_direction_stddev = 0.0;  ///< artificial error of the direction, for studies [rad]
   double added_offset_stddev = 0.0;     ///< artificial error across the line, for studies [m]
 };
 
 struct ContactSensingParameters {
+  SensorNoise noise;
+  Payload payload;
   TareParameters tare;
   ContactDetectorParameters detector;
   LineParameters line;
 };
 
-/// Reads the parameters from a mapping with the keys `tare`, `detector` and `line` (config/
-/// force_torque.yaml explains each). Errors are noted in `reader`.
+/// Reads the parameters from a mapping with the keys `noise`, `payload`, `tare`, `detector` and
+/// `line` (config/force_torque.yaml explains each). Errors are noted in `reader`.
 ContactSensingParameters readContactSensingParameters(ParameterReader* reader);
 
 /// From raw wrench samples to contact observations: tare and weight, detection, line of action.
@@ -40,6 +40,11 @@ ContactSensingParameters readContactSensingParameters(ParameterReader* reader);
 /// The line is measured when the robot has stopped: averaged over `line.window`, starting
 /// `line.settle` after the contact was confirmed, so that neither inertia nor the impact is in it.
 /// It is given once in each contact. A contact that ends earlier gives the line of what there was.
+/// Its uncertainty follows from the noise of the averaged samples, from how well the bias is known,
+/// and from its lever at the sensor.
+///
+/// Windows are lengthened where the sensor's noise asks for it (allowForNoise), and the bias
+/// follows the sensor's drift in free space.
 class ContactSensing {
  public:
   /// `seed` is used by the artificial line errors only.
@@ -53,6 +58,14 @@ class ContactSensing {
   const Wrench& compensated() const { return compensated_; }
 
   void startTare();
+
+  /// What the wrist carries from now on; a new tare begins.
+  void setPayload(const Payload& payload);
+  const Payload& payload() const { return compensator_.payload(); }
+
+  /// When the bias was last learnt from a sample [s]; nothing while not tared.
+  std::optional<double> biasTime() const { return compensator_.biasTime(); }
+
   bool tared() const { return compensator_.tared(); }
   const std::string& tareProblem() const { return compensator_.tareProblem(); }
 
@@ -64,8 +77,11 @@ class ContactSensing {
     bool given = false;
   };
 
-  std::optional<LineOfAction> measureLine(double time, ContactState state);
-  std::optional<LineOfAction> averagedLine();
+  std::optional<LineOfAction> measureLine(const WrenchSample& raw, ContactState state);
+  std::optional<LineOfAction> averagedLine(const Vec3& sensor_object);
+  /// Error of the mean of so many samples' forces, per axis [N]: noise and bias.
+  double meanForceStddev(double samples) const;
+  void forgetContact();
   void addErrors(LineOfAction* line);
 
   ContactSensingParameters parameters_;

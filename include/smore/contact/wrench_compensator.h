@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "smore/common/geometry.h"
+#include "smore/contact/bias_tracker.h"
 #include "smore/contact/contact_observation.h"
+#include "smore/contact/payload.h"
 
 namespace smore {
 
@@ -16,19 +18,22 @@ struct TareParameters {
   double max_torque_stddev = 0.3;  ///< above, per axis: the robot was not still [N m]
 };
 
-/// What the wrist carries besides the contact.
-struct Payload {
-  double mass = 0.0;                          ///< [kg], not negative
-  Vec3 center_of_mass_object = Vec3::Zero();  ///< in the object frame [m]
-};
-
 /// Removes the sensor's bias and the payload's weight from raw wrenches.
 ///
 /// The bias is the mean over `samples` still samples less the payload's weight in each; a tare
-/// during which a component varied more than allowed is refused, with the reason, and starts again.
+/// during which a component varied more than allowed, and more than the sensor's noise explains, is
+/// refused, with the reason, and starts again. Where the sensor drifts, the bias is tracked in free
+/// space from then on.
 class WrenchCompensator {
  public:
-  explicit WrenchCompensator(const TareParameters& tare, const Payload& payload = {});
+  /// A sample in free space counts for the bias once it is `track_delay` old [s] (BiasTracker).
+  explicit WrenchCompensator(const TareParameters& tare, const Payload& payload = {},
+                             const SensorNoise& noise = {}, double track_delay = 0.0);
+
+  /// What the wrist carries from now on. The bias that was found with another payload is forgotten:
+  /// a new tare begins.
+  void setPayload(const Payload& payload);
+  const Payload& payload() const { return payload_; }
 
   /// Forgets the bias and collects samples for a new one.
   void startTare();
@@ -42,14 +47,32 @@ class WrenchCompensator {
   /// environment exerts on the object. The sample must be finite.
   std::optional<Wrench> process(const WrenchSample& raw);
 
+  /// Lets the bias follow the sensor's drift: whether nothing touches in this sample, after it was
+  /// processed.
+  void track(const WrenchSample& raw, bool free);
+
+  /// How well the force's bias is known, per axis [N]; 0 while not tared.
+  double biasStddev() const { return bias_ ? bias_->stddev() : 0.0; }
+
+  /// How much of the compensated force the weight of an unknown mass may be [N]: the tare took it
+  /// away, and it comes back as far as gravity turns in the object's axes. 0 while not tared.
+  double unknownWeight(const Pose& T_world_object) const;
+
+  /// When the bias was last learnt from a sample [s]; nothing while not tared.
+  std::optional<double> biasTime() const;
+
  private:
   Wrench weight(const Pose& T_world_object) const;
-  void finishTare();
+  void finishTare(const WrenchSample& last);
 
   TareParameters parameters_;
   Payload payload_;
+  SensorNoise noise_;
+  double track_delay_;
   std::vector<Wrench> still_;
-  std::optional<Wrench> bias_;
+  std::optional<BiasTracker> bias_;
+  double tared_at_ = 0.0;              ///< [s]
+  Vec3 gravity_tared_ = Vec3::Zero();  ///< in the object's axes at the tare [m/s^2]
   std::string tare_problem_;
 };
 

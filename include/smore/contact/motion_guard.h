@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "smore/common/geometry.h"
+#include "smore/common/joint_trajectory.h"
+
+namespace smore {
+
+struct MotionGuardParameters {
+  double max_force = 40.0;       ///< of a raw sample, weight and bias included [N]
+  double max_torque = 8.0;       ///< the same, about the sensor's origin [N m]
+  double max_silence = 0.05;     ///< between two messages of a stream [s]
+  double max_joint_speed = 2.0;  ///< measured and commanded, of each joint [rad/s] or [m/s]
+  double start_tolerance = 0.1;  ///< of each joint, to where a motion starts [rad] or [m]
+  /// After a fault is cleared under load, force and torque may rise above the least since then by
+  /// this much [N], [N m]; sensor noise must be smaller.
+  double force_margin = 10.0;
+  double torque_margin = 1.0;
+};
+
+/// Joints as a driver reports them; lists of equal length.
+struct JointReading {
+  double stamp = 0.0;  ///< [s]
+  std::vector<std::string> names;
+  std::vector<double> positions;   ///< [rad] or [m]
+  std::vector<double> velocities;  ///< [rad/s] or [m/s]
+};
+
+/// Decides whether a robot may move. It latches the first fault with its reason, whether a motion
+/// runs or not: force, torque or joint speed above the limit, a value that is not finite, a stream
+/// that was there and falls silent, a trajectory that is too fast or does not start at the joints.
+///
+/// All `now` are of one clock that never jumps [s]. A message whose stamp is that of the one before
+/// counts as silence: the driver repeats itself.
+class MotionGuard {
+ public:
+  /// `joint_names`: the joints that count; others (a gripper's) on the same stream do not.
+  MotionGuard(const MotionGuardParameters& parameters, std::vector<std::string> joint_names);
+
+  void onWrench(double now, double stamp, const Wrench& wrench);
+
+  /// A reading without all of the robot's joints is another device's and says nothing.
+  void onJoints(double now, const JointReading& reading);
+
+  /// Whether the trajectory may be passed on; where not, `fault` says why. One without points is
+  /// the stop and always passes. A first point at time 0 is where the motion starts; before a later
+  /// one the robot moves there from where it stands.
+  bool allows(double now, const JointTrajectory& trajectory);
+
+  /// Looks for silence; to be called several times in `max_silence`.
+  void check(double now);
+
+  /// Latches a fault of the caller's own, such as a user's stop.
+  void stop(const std::string& reason);
+
+  /// Forgets the fault. Force and torque above their ceilings are allowed as long as they fall, so
+  /// that the robot can retreat. What is wrong still is a fault again at once.
+  void clear(double now);
+
+  /// The first fault since the last clearing; empty: the robot may move.
+  const std::string& fault() const { return fault_; }
+
+ private:
+  /// A limit that follows a value down, from a clearing above it to the limit itself.
+  class Ceiling {
+   public:
+    Ceiling(double limit, double margin) : limit_(limit), margin_(margin), allowed_(limit) {}
+    bool exceededBy(double value);
+    void raiseTo(double value);
+    double allowed() const { return allowed_; }
+
+   private:
+    double limit_, margin_, allowed_;
+  };
+
+  /// When a stream last said something new.
+  struct Heartbeat {
+    std::optional<double> stamp;
+    double arrival = 0.0;
+    void beat(double now, double new_stamp);
+  };
+
+  std::string silence(double now) const;
+  std::string problemOf(const JointTrajectory& trajectory) const;
+  std::string problemOfPoints(const JointTrajectory& ordered) const;
+
+  MotionGuardParameters parameters_;
+  std::vector<std::string> joint_names_;
+  Ceiling force_, torque_;
+  Wrench wrench_;                  ///< the last finite one
+  std::vector<double> positions_;  ///< the last finite ones, in the order of joint_names_
+  Heartbeat wrench_beat_, joints_beat_;
+  std::string fault_;
+};
+
+}  // namespace smore

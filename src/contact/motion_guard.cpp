@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/contact/motion_guard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace smore {
+namespace {
+
+bool allFinite(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+std::string above(const std::string& what, double value, double limit, const std::string& unit) {
+  std::ostringstream text;
+  text.precision(3);
+  text << what << " is " << value << " " << unit << ", above the limit of " << limit << " " << unit;
+  return text.str();
+}
+
+// The values of `joints` among those of `names`; nothing where one is missing.
+std::optional<std::vector<double>> pick(const std::vector<std::string>& joints,
+                                        const std::vector<std::string>& names,
+                                        const std::vector<double>& values) {
+  std::vector<double> picked;
+  for (const std::string& joint : joints) {
+    const auto place = std::find(names.begin(), names.end(), joint);
+    const auto index = static_cast<size_t>(place - names.begin());
+    if (place == names.end() || index >= values.size()) return std::nullopt;
+    picked.push_back(values[index]);
+  }
+  return picked;
+}
+
+// The trajectory with its joints in the order of `joints`; nothing where one is missing, another is
+// among them, or velocities are given for some of the joints.
+std::optional<JointTrajectory> ordered(const JointTrajectory& trajectory,
+                                       const std::vector<std::string>& joints) {
+  if (trajectory.joint_names.size() != joints.size()) return std::nullopt;
+  JointTrajectory result{joints, {}};
+  for (const JointTrajectoryPoint& point : trajectory.points) {
+    const auto positions = pick(joints, trajectory.joint_names, point.positions);
+    const auto velocities = point.velocities.empty()
+                                ? std::vector<double>()
+                                : pick(joints, trajectory.joint_names, point.velocities);
+    if (!positions || !velocities) return std::nullopt;
+    result.points.push_back({point.time, *positions, *velocities});
+  }
+  return result;
+}
+
+// Greatest speed on the cubic from velocity v0 to v1 that goes at `mean` on average. At the share s
+// of its time it is v0 + (6 mean - 4 v0 - 2 v1) s + 3 (v0 + v1 - 2 mean) s^2.
+double greatestSpeed(double v0, double v1, double mean) {
+  const double slope = 6.0 * mean - 4.0 * v0 - 2.0 * v1;
+  const double bend = 3.0 * (v0 + v1 - 2.0 * mean);
+  const double ends = std::max(std::abs(v0), std::abs(v1));
+  const double share = bend == 0.0 ? 0.0 : -slope / (2.0 * bend);
+  if (share <= 0.0 || share >= 1.0) return ends;
+  return std::max(ends, std::abs(v0 + 0.5 * slope * share));
+}
+
+// Without velocities at both ends the way between two points is straight.
+double greatestSpeed(const JointTrajectoryPoint& from, const JointTrajectoryPoint& to,
+                     size_t joint) {
+  const double mean = (to.positions[joint] - from.positions[joint]) / (to.time - from.time);
+  if (from.velocities.empty() || to.velocities.empty()) return std::abs(mean);
+  return greatestSpeed(from.velocities[joint], to.velocities[joint], mean);
+}
+
+}  // namespace
+
+bool MotionGuard::Ceiling::exceededBy(double value) {
+  allowed_ = std::max(limit_, std::min(allowed_, value + margin_));
+  return value > allowed_;
+}
+
+void MotionGuard::Ceiling::raiseTo(double value) { allowed_ = std::max(limit_, value + margin_); }
+
+void MotionGuard::Heartbeat::beat(double now, double new_stamp) {
+  if (stamp == new_stamp) return;
+  stamp = new_stamp;
+  arrival = now;
+}
+
+MotionGuard::MotionGuard(const MotionGuardParameters& parameters,
+                         std::vector<std::string> joint_names)
+    : parameters_(parameters),
+      joint_names_(std::move(joint_names)),
+      force_(parameters.max_force, parameters.force_margin),
+      torque_(parameters.max_torque, parameters.torque_margin) {}
+
+void MotionGuard::onWrench(double now, double stamp, const Wrench& wrench) {
+  wrench_beat_.beat(now, stamp);
+  if (!isFinite(wrench)) return stop("a wrench has a value that is not finite");
+  wrench_ = wrench;
+  const double force = wrench.force.norm();
+  const double torque = wrench.torque.norm();
+  if (force_.exceededBy(force)) stop(above("the force", force, force_.allowed(), "N"));
+  if (torque_.exceededBy(torque)) stop(above("the torque", torque, torque_.allowed(), "N m"));
+}
+
+void MotionGuard::onJoints(double now, const JointReading& reading) {
+  const auto positions = pick(joint_names_, reading.names, reading.positions);
+  const auto velocities = pick(joint_names_, reading.names, reading.velocities);
+  if (!positions) return;
+  if (!velocities) return stop("the joint states have no velocities; the driver must give them");
+  joints_beat_.beat(now, reading.stamp);
+  if (!allFinite(*positions) || !allFinite(*velocities)) {
+    return stop("a joint state has a value that is not finite");
+  }
+  positions_ = *positions;
+  for (size_t i = 0; i < joint_names_.size(); ++i) {
+    const double speed = std::abs((*velocities)[i]);
+    if (speed > parameters_.max_joint_speed) {
+      stop(above("the speed of " + joint_names_[i], speed, parameters_.max_joint_speed, "rad/s"));
+    }
+  }
+}
+
+bool MotionGuard::allows(double now, const JointTrajectory& trajectory) {
+  if (trajectory.points.empty()) return true;
+  check(now);
+  if (!fault_.empty()) return false;
+  const std::string problem = problemOf(trajectory);
+  if (!problem.empty()) stop(problem);
+  return problem.empty();
+}
+
+void MotionGuard::check(double now) {
+  const std::string problem = silence(now);
+  if (!problem.empty()) stop(problem);
+}
+
+void MotionGuard::stop(const std::string& reason) {
+  if (fault_.empty()) fault_ = reason;
+}
+
+void MotionGuard::clear(double now) {
+  fault_.clear();
+  force_.raiseTo(wrench_.force.norm());
+  torque_.raiseTo(wrench_.torque.norm());
+  check(now);
+}
+
+std::string MotionGuard::silence(double now) const {
+  const auto silent = [&](const Heartbeat& stream) {
+    return stream.stamp && now - stream.arrival > parameters_.max_silence;
+  };
+  const std::string suffix = " for over " +
+                             std::to_string(std::lround(1e3 * parameters_.max_silence)) +
+                             " ms; are driver and network up?";
+  if (silent(wrench_beat_)) return "no new wrench" + suffix;
+  if (silent(joints_beat_)) return "no new joint states" + suffix;
+  return "";
+}
+
+std::string MotionGuard::problemOf(const JointTrajectory& trajectory) const {
+  if (!wrench_beat_.stamp) return "a motion was commanded before any wrench came";
+  if (positions_.empty()) return "a motion was commanded before any joint states came";
+  const auto motion = ordered(trajectory, joint_names_);
+  if (!motion) return "the commanded trajectory is not one of all of the robot's joints";
+  for (const JointTrajectoryPoint& point : motion->points) {
+    if (!std::isfinite(point.time) || !allFinite(point.positions) || !allFinite(point.velocities)) {
+      return "the commanded trajectory has a value that is not finite";
+    }
+  }
+  return problemOfPoints(*motion);
+}
+
+std::string MotionGuard::problemOfPoints(const JointTrajectory& ordered) const {
+  JointTrajectoryPoint last{0.0, positions_, {}};
+  for (size_t place = 0; place < ordered.points.size(); ++place) {
+    const JointTrajectoryPoint& point = ordered.points[place];
+    const bool is_start = place == 0 && point.time == 0.0;
+    if (!is_start && point.time <= last.time) return "the commanded trajectory's times do not rise";
+    for (size_t i = 0; i < joint_names_.size(); ++i) {
+      const double away = std::abs(point.positions[i] - positions_[i]);
+      if (is_start && away > parameters_.start_tolerance) {
+        return above("the distance of " + joint_names_[i] + " from the commanded start", away,
+                     parameters_.start_tolerance, "rad");
+      }
+      const double speed = is_start ? 0.0 : greatestSpeed(last, point, i);
+      if (speed > parameters_.max_joint_speed) {
+        return above("the commanded speed of " + joint_names_[i], speed,
+                     parameters_.max_joint_speed, "rad/s");
+      }
+    }
+    last = point;
+  }
+  return "";
+}
+
+}  // namespace smore
