@@ -159,6 +159,10 @@ bool isReadableFile(const std::string& path) {
 
 }  // namespace
 
+bool tiltsPayload(const Scenario& scenario) {
+  return scenario.robot == RobotKind::kUr5e && scenario.motion == Motion::kSpatial;
+}
+
 Scenario loadScenario(const std::string& file) {
   ParameterReader reader(loadYaml(file), file);
   const std::string directory = file.substr(0, file.find_last_of('/') + 1);

@@ -97,6 +97,15 @@ BulletShape makeBulletShape(const Shape& shape) {
   return std::visit([](const auto& solid) { return make(solid); }, shape.geometry);
 }
 
+BulletSolids::BulletSolids(const std::vector<Shape>& shapes) {
+  for (const Shape& shape : shapes) {
+    shapes_.push_back(makeBulletShape(shape));
+    solids_.push_back(std::make_unique<btCollisionObject>());
+    solids_.back()->setCollisionShape(shapes_.back().shape.get());
+    solids_.back()->setWorldTransform(toBullet(shape.pose));
+  }
+}
+
 BulletCompound::BulletCompound(const std::vector<Shape>& shapes, const Pose& T_body_parent)
     : compound_(std::make_unique<PreciseCompound>()) {
   for (const Shape& shape : shapes) {

@@ -25,6 +25,19 @@ struct BulletShape {
 /// concave mesh becomes its surface and may only stand still.
 BulletShape makeBulletShape(const Shape& shape);
 
+/// Solids that stand still.
+class BulletSolids {
+ public:
+  /// The poses of `shapes` are those in the Bullet world.
+  explicit BulletSolids(const std::vector<Shape>& shapes);
+
+  const std::vector<std::unique_ptr<btCollisionObject>>& solids() const { return solids_; }
+
+ private:
+  std::vector<BulletShape> shapes_;
+  std::vector<std::unique_ptr<btCollisionObject>> solids_;
+};
+
 /// One moving body of convex parts.
 class BulletCompound {
  public:

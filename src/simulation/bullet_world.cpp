@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bullet_world.h"
 
-#include <Eigen/Eigenvalues>
-
 namespace smore {
 namespace {
 
@@ -16,15 +14,6 @@ constexpr double kSolverVelocityTolerance = 1e-6;
 // Share of a penetration that each step takes back. It moves the object without adding velocity, so
 // that no contact force comes of it.
 constexpr double kPenetrationRecovery = 0.05;
-
-Pose principalFrame(const MassProperties& object) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(object.inertia);
-  Pose frame = Pose::Identity();
-  frame.linear() = axes.eigenvectors();
-  if (frame.linear().determinant() < 0.0) frame.linear().col(0) *= -1.0;
-  frame.translation() = object.center;
-  return frame;
-}
 
 void configure(btContactSolverInfo* solver) {
   solver->m_numIterations = kSolverIterations;
@@ -47,36 +36,35 @@ Vec3 forceOf(const btManifoldPoint& point, double step) {
 
 }  // namespace
 
-BulletWorld::BulletWorld(const Scenario& scenario, const MassProperties& object, double step)
+CarriedBody objectBody(const Scenario& scenario) {
+  return {scenario.object, std::vector<std::string>(scenario.object.size(), kObjectBody),
+          massProperties(scenario.object, scenario.object_mass)};
+}
+
+BulletWorld::BulletWorld(const Scenario& scenario, const CarriedBody& body, const Vec3& gravity,
+                         double step)
     : step_(step),
-      T_object_body_(principalFrame(object)),
-      object_shape_(scenario.object, T_object_body_.inverse()),
+      T_object_body_(principalFrame(body.mass)),
+      names_(body.names),
+      object_shape_(body.shapes, T_object_body_.inverse()),
       dispatcher_(&configuration_),
+      environment_(scenario.environment),
       world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
-  world_.setGravity(btVector3(0, 0, 0));
+  world_.setGravity(toBullet(gravity));
   world_.setForceUpdateAllAabbs(false);
   configure(&world_.getSolverInfo());
-  addEnvironment(scenario.environment);
-  addObject(object, scenario.friction);
+  for (const auto& solid : environment_.solids()) {
+    solid->setFriction(1.0);  // Bullet takes the product of both
+    world_.addCollisionObject(solid.get(), btBroadphaseProxy::StaticFilter,
+                              btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter);
+  }
+  addObject(body.mass, scenario.friction);
   place(scenario.start);
 }
 
 BulletWorld::~BulletWorld() {
   world_.removeRigidBody(object_.get());
-  for (const auto& solid : environment_) world_.removeCollisionObject(solid.get());
-}
-
-void BulletWorld::addEnvironment(const std::vector<Shape>& environment) {
-  for (const Shape& shape : environment) {
-    environment_shapes_.push_back(makeBulletShape(shape));
-    auto solid = std::make_unique<btCollisionObject>();
-    solid->setCollisionShape(environment_shapes_.back().shape.get());
-    solid->setWorldTransform(toBullet(shape.pose));
-    solid->setFriction(1.0);  // Bullet takes the product of both
-    world_.addCollisionObject(solid.get(), btBroadphaseProxy::StaticFilter,
-                              btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter);
-    environment_.push_back(std::move(solid));
-  }
+  for (const auto& solid : environment_.solids()) world_.removeCollisionObject(solid.get());
 }
 
 void BulletWorld::addObject(const MassProperties& object, double friction) {
@@ -129,13 +117,17 @@ std::vector<ContactPoint> BulletWorld::contacts() const {
   for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
     const btPersistentManifold* manifold =
         const_cast<btCollisionDispatcher&>(dispatcher_).getManifoldByIndexInternal(i);
-    const double sign = manifold->getBody0() == object_.get() ? 1.0 : -1.0;
+    const bool is_first = manifold->getBody0() == object_.get();
+    const double sign = is_first ? 1.0 : -1.0;
     for (int k = 0; k < manifold->getNumContacts(); ++k) {
       const btManifoldPoint& point = manifold->getContactPoint(k);
       if (point.m_appliedImpulse <= 0.0) continue;
       const Vec3 position =
           fromBullet((point.getPositionWorldOnA() + point.getPositionWorldOnB()) * btScalar(0.5));
-      contacts.push_back({position, sign * forceOf(point, step_)});
+      // The index of a shape in a compound body.
+      const int shape = is_first ? point.m_index0 : point.m_index1;
+      contacts.push_back(
+          {position, sign * forceOf(point, step_), names_[static_cast<size_t>(shape)]});
     }
   }
   return contacts;

@@ -4,6 +4,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "bullet_shapes.h"
@@ -14,6 +15,16 @@
 
 namespace smore {
 
+/// One rigid body of convex solids, in its own frame.
+struct CarriedBody {
+  std::vector<Shape> shapes;
+  std::vector<std::string> names;  ///< what each of the shapes is a part of
+  MassProperties mass;
+};
+
+/// The scenario's object as a body of its own.
+CarriedBody objectBody(const Scenario& scenario);
+
 /// Motion of the object's centre of mass: what the dynamics act on.
 struct ObjectMotion {
   Pose T_world_object = Pose::Identity();
@@ -22,12 +33,12 @@ struct ObjectMotion {
   Vec3 angular_velocity = Vec3::Zero();  ///< in the world [rad/s]
 };
 
-/// The object among the fixed environment in Bullet: one rigid body without weight, moved by the
-/// wrench that the hand exerts and by contact with friction.
+/// A body among the fixed environment in Bullet, moved by gravity, by the wrench that the hand
+/// exerts and by contact with friction.
 class BulletWorld {
  public:
-  /// The object stands at the scenario's start. `step` [s], positive.
-  BulletWorld(const Scenario& scenario, const MassProperties& object, double step);
+  /// The environment and the friction are the scenario's. `gravity` [m/s^2], `step` [s], positive.
+  BulletWorld(const Scenario& scenario, const CarriedBody& body, const Vec3& gravity, double step);
   ~BulletWorld();
   BulletWorld(const BulletWorld&) = delete;
   BulletWorld& operator=(const BulletWorld&) = delete;
@@ -50,18 +61,17 @@ class BulletWorld {
   bool inContact() const;
 
  private:
-  void addEnvironment(const std::vector<Shape>& environment);
   void addObject(const MassProperties& object, double friction);
 
   double step_;
-  Pose T_object_body_;  ///< centre of mass and principal axes
+  Pose T_object_body_;              ///< centre of mass and principal axes
+  std::vector<std::string> names_;  ///< of the body's shapes
   BulletCompound object_shape_;
-  std::vector<BulletShape> environment_shapes_;
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
   ConeFrictionSolver solver_;
-  std::vector<std::unique_ptr<btCollisionObject>> environment_;
+  BulletSolids environment_;
   std::unique_ptr<btRigidBody> object_;
   btDiscreteDynamicsWorld world_;
 };

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bullet_world.h"
+#include "held_body.h"
 #include "smore/simulation/hand_motion.h"
 #include "smore/simulation/simulated_robot.h"
 #include "smore/simulation/wrench_sensor.h"
-#include "smore/simulation/wrist_spring.h"
 
 namespace smore {
 
@@ -16,38 +15,34 @@ namespace smore {
 /// (docs/simulation.md).
 class CartesianRobot : public SimulatedRobot {
  public:
-  CartesianRobot(const Scenario& scenario, std::uint64_t seed);
+  CartesianRobot(const Scenario& scenario, std::uint64_t seed, double sensor_cutoff);
 
-  void follow(const Path& path) override;
+  std::optional<Failure> follow(const Path& path) override;
+  std::optional<Failure> followJoints(const JointTrajectory& trajectory) override;
   void stop() override { hand_.stop(); }
   void place(const Pose& T_world_object) override;
+  bool canBePlaced() const override { return true; }
   bool moving() const override { return hand_.moving(); }
+  std::optional<Failure> fault() const override { return std::nullopt; }
   WrenchSample advance() override;
+  std::optional<GripperState> gripper() const override { return std::nullopt; }
+  std::optional<Failure> moveGripper(double position) override;
+  WristReading reading() const override { return reading_; }
+  Pose T_sensor_object() const override { return Pose::Identity(); }
   double time() const override;
   Pose pose() const override { return hand_.pose(); }
   std::vector<std::string> jointNames() const override;
   std::vector<double> jointPositions() const override;
-  std::vector<ContactPoint> contacts() const override { return world_.contacts(); }
+  std::vector<double> jointVelocities() const override { return {}; }
+  std::vector<ContactPoint> contacts() const override { return object_.contacts(); }
 
  private:
-  /// Velocity of a body that moves with the hand, at its centre of mass.
-  struct HandVelocity {
-    Vec3 linear = Vec3::Zero();   ///< [m/s]
-    Vec3 angular = Vec3::Zero();  ///< [rad/s]
-  };
-
   void advanceSubstep();
-  HandVelocity moveHand();
-  Wrench springWrench(const Pose& T_world_hand, const HandVelocity& hand_velocity) const;
 
-  MassProperties object_;
   HandMotion hand_;
-  HandVelocity hand_velocity_;
-  BulletWorld world_;
-  WristSpring spring_;
+  HeldBody object_;
   WrenchSensor sensor_;
-  Wrench environment_wrench_;  ///< on the object, at its frame's origin, in the axes of the world
-  Vec3 wrench_origin_;         ///< where that origin was
+  WristReading reading_;
   std::int64_t substeps_ = 0;
 };
 

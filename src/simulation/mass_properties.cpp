@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/simulation/mass_properties.h"
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace smore {
@@ -65,29 +66,49 @@ MassProperties unitDensity(const MeshShape& mesh) {
 
 MassProperties inParent(const Shape& shape) {
   const auto unit_density = [](const auto& solid) { return unitDensity(solid); };
-  MassProperties part = std::visit(unit_density, shape.geometry);
-  part.center = shape.pose * part.center;
-  part.inertia = shape.pose.linear() * part.inertia * shape.pose.linear().transpose();
-  return part;
+  return transformMass(shape.pose, std::visit(unit_density, shape.geometry));
 }
 
 }  // namespace
 
 MassProperties massProperties(const std::vector<Shape>& shapes, double mass) {
-  MassProperties body;
   std::vector<MassProperties> parts;
-  for (const Shape& shape : shapes) {
-    parts.push_back(inParent(shape));
-    body.mass += parts.back().mass;
-    body.center += parts.back().mass * parts.back().center;
-  }
-  body.center /= body.mass;
-  for (const MassProperties& part : parts) {
-    body.inertia += part.inertia + parallelAxis(part.mass, part.center - body.center);
-  }
+  parts.reserve(shapes.size());
+  for (const Shape& shape : shapes) parts.push_back(inParent(shape));
+  MassProperties body = joined(parts);
   body.inertia *= mass / body.mass;
   body.mass = mass;
   return body;
+}
+
+MassProperties transformMass(const Pose& T_a_b, const MassProperties& body_b) {
+  MassProperties body = body_b;
+  body.center = T_a_b * body_b.center;
+  body.inertia = T_a_b.linear() * body_b.inertia * T_a_b.linear().transpose();
+  return body;
+}
+
+MassProperties joined(const std::vector<MassProperties>& bodies) {
+  MassProperties whole;
+  for (const MassProperties& body : bodies) {
+    whole.mass += body.mass;
+    whole.center += body.mass * body.center;
+  }
+  if (whole.mass == 0.0) return {};
+  whole.center /= whole.mass;
+  for (const MassProperties& body : bodies) {
+    whole.inertia += body.inertia + parallelAxis(body.mass, body.center - whole.center);
+  }
+  return whole;
+}
+
+Pose principalFrame(const MassProperties& body) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(body.inertia);
+  Pose frame = Pose::Identity();
+  frame.linear() = axes.eigenvectors();
+  if (frame.linear().determinant() < 0.0) frame.linear().col(0) *= -1.0;
+  frame.translation() = body.center;
+  return frame;
 }
 
 Eigen::Matrix<double, 6, 6> spatialInertia(const MassProperties& body) {

@@ -34,23 +34,18 @@ class SceneCheck::Impl {
  public:
   explicit Impl(const Scenario& scenario)
       : object_shape_(scenario.object, Pose::Identity()),
+        solids_(scenario.environment),
         dispatcher_(&configuration_),
         world_(&dispatcher_, &broadphase_, &configuration_),
         shapes_(scenario.object),
         environment_(scenario.environment) {
     object_.setCollisionShape(object_shape_.shape());
-    for (const Shape& shape : environment_) {
-      solid_shapes_.push_back(makeBulletShape(shape));
-      solids_.push_back(std::make_unique<btCollisionObject>());
-      solids_.back()->setCollisionShape(solid_shapes_.back().shape.get());
-      solids_.back()->setWorldTransform(toBullet(shape.pose));
-    }
   }
 
   bool touches(const Pose& T_world_object) {
     object_.setWorldTransform(toBullet(T_world_object));
     NearestContact nearest;
-    for (const auto& solid : solids_) {
+    for (const auto& solid : solids_.solids()) {
       world_.contactPairTest(&object_, solid.get(), nearest);
       if (nearest.found()) return true;
     }
@@ -68,9 +63,8 @@ class SceneCheck::Impl {
   }
 
   BulletCompound object_shape_;
-  std::vector<BulletShape> solid_shapes_;
   btCollisionObject object_;
-  std::vector<std::unique_ptr<btCollisionObject>> solids_;
+  BulletSolids solids_;
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/simulation/simulated_robot.h"
 
+#include "arm_robot.h"
 #include "cartesian_robot.h"
-#include "smore/common/result.h"
 #include "smore/simulation/scene_check.h"
 
 namespace smore {
 
-std::unique_ptr<SimulatedRobot> makeSimulatedRobot(const Scenario& scenario, std::uint64_t seed) {
-  if (scenario.robot != RobotKind::kCartesian) {
-    throw InputError("scenario " + scenario.name +
-                     ": robot: only 'cartesian' is simulated so far; use robot: cartesian");
-  }
+std::unique_ptr<SimulatedRobot> makeSimulatedRobot(const Scenario& scenario, std::uint64_t seed,
+                                                   double sensor_cutoff) {
+  if (scenario.robot == RobotKind::kUr5e)
+    return makeSimulatedArm(scenario, ur5eUrdf(), seed, sensor_cutoff);
   checkStartAndGoalFree(scenario);
-  return std::make_unique<CartesianRobot>(scenario, seed);
+  return std::make_unique<CartesianRobot>(scenario, seed, sensor_cutoff);
+}
+
+std::unique_ptr<SimulatedRobot> makeSimulatedArm(const Scenario& scenario, const UrdfModel& urdf,
+                                                 std::uint64_t seed, double sensor_cutoff) {
+  checkStartAndGoalFree(scenario);
+  return std::make_unique<ArmRobot>(scenario, urdf, seed, sensor_cutoff);
 }
 
 }  // namespace smore

@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 namespace smore {
 namespace {
@@ -42,6 +43,14 @@ Wrench WristSpring::wrench(const WristDeflection& deflection) const {
   const Vector6 wrench = stiffness_ * stack(deflection.position, deflection.rotation) +
                          damping_ * stack(deflection.linear_velocity, deflection.angular_velocity);
   return {wrench.head<3>(), wrench.tail<3>()};
+}
+
+WristDeflection WristSpring::deflectionUnder(const Wrench& wrench) const {
+  const Vector6 deflection = stiffness_.partialPivLu().solve(stack(wrench.force, wrench.torque));
+  WristDeflection result;
+  result.position = deflection.head<3>();
+  result.rotation = deflection.tail<3>();
+  return result;
 }
 
 }  // namespace smore

@@ -15,7 +15,7 @@ const Wrench kTruth{Vec3(1, 2, 3), Vec3(4, 5, 6)};
 
 TEST(WrenchSensor, withoutErrorsReadsTheTruth) {
   WrenchSensor sensor(WrenchNoise{}, kPeriod, 1);
-  const Wrench reading = sensor.read(kTruth);
+  const Wrench reading = sensor.read(kTruth).wrench;
   EXPECT_EQ(reading.force, kTruth.force);
   EXPECT_EQ(reading.torque, kTruth.torque);
 }
@@ -33,7 +33,7 @@ TEST(WrenchSensor, noiseHasTheGivenMomentsOnEachAxis) {
   Vec3 torque_sum = Vec3::Zero();
   Vec3 torque_squares = Vec3::Zero();
   for (int i = 0; i < kSamples; ++i) {
-    const Wrench reading = sensor.read(kTruth);
+    const Wrench reading = sensor.read(kTruth).wrench;
     const Vec3 error = reading.force - kTruth.force - noise.force_bias;
     const Vec3 torque_error = reading.torque - kTruth.torque - noise.torque_bias;
     sum += error;
@@ -63,7 +63,7 @@ TEST(WrenchSensor, driftIsARandomWalkOfTheForce) {
     for (int seed = 0; seed < kSensors; ++seed) {
       WrenchSensor sensor(noise, period, static_cast<std::uint64_t>(seed));
       Wrench reading;
-      for (int i = 0; i < std::lround(kTime / period); ++i) reading = sensor.read({});
+      for (int i = 0; i < std::lround(kTime / period); ++i) reading = sensor.read({}).wrench;
       squares += reading.force.cwiseAbs2();
       product += reading.force.x() * reading.force.y();
       ASSERT_EQ(reading.torque, Vec3(Vec3::Zero()));
@@ -81,9 +81,34 @@ TEST(WrenchSensor, theSeedDecidesTheErrors) {
   WrenchSensor a(noise, kPeriod, 7);
   WrenchSensor b(noise, kPeriod, 7);
   WrenchSensor c(noise, kPeriod, 8);
-  const Vec3 first = a.read(kTruth).force;
-  EXPECT_EQ(first, b.read(kTruth).force);
-  EXPECT_NE(first, c.read(kTruth).force);
+  const Vec3 first = a.read(kTruth).wrench.force;
+  EXPECT_EQ(first, b.read(kTruth).wrench.force);
+  EXPECT_NE(first, c.read(kTruth).wrench.force);
+}
+
+TEST(WrenchSensor, endsAtItsRangeAndSaysSo) {
+  WrenchSensor sensor(WrenchNoise{}, kPeriod, 1, {50.0, 10.0});
+  EXPECT_FALSE(sensor.read({Vec3(50, -50, 49), Vec3(10, -10, 0)}).saturated);
+  const WristReading force = sensor.read({Vec3(-60, 70, 1), Vec3(1, 2, 3)});
+  EXPECT_TRUE(force.saturated);
+  EXPECT_EQ(force.wrench.force, Vec3(-50, 50, 1));
+  EXPECT_EQ(force.wrench.torque, Vec3(1, 2, 3));
+  const WristReading torque = sensor.read({Vec3(1, 2, 3), Vec3(0, 0, -10.1)});
+  EXPECT_TRUE(torque.saturated);
+  EXPECT_EQ(torque.wrench.torque, Vec3(0, 0, -10));
+}
+
+// The answer to a step after a time t is 1 - exp(-2 pi f t).
+TEST(WrenchSensor, lowPassAnswersAStepExponentially) {
+  constexpr double kCutoff = 20.0;  // [Hz]
+  WrenchSensor sensor(WrenchNoise{}, kPeriod, 1, {}, kCutoff);
+  EXPECT_EQ(sensor.read({}).wrench.force.x(), 0.0);
+  for (int i = 1; i <= 50; ++i) {
+    const double expected = 1.0 - std::exp(-2.0 * M_PI * kCutoff * kPeriod * i);
+    const Wrench reading = sensor.read({Vec3::Ones(), Vec3::Ones()}).wrench;
+    EXPECT_NEAR(reading.force.x(), expected, 1e-12);
+    EXPECT_NEAR(reading.torque.z(), expected, 1e-12);
+  }
 }
 
 }  // namespace

@@ -15,6 +15,9 @@ struct MotionSpace {
   Motion motion = Motion::kPlanar;
   Pose T_world_plane = Pose::Identity();  ///< planar: the start pose; motion is in its x-y plane
   Bounds workspace;                       ///< of the object frame's origin, in the world [m]
+  /// Planar: whether the object may turn past half a turn from the start pose and so come round.
+  /// The joints of an arm end somewhere.
+  bool full_turns = true;
 
   /// Whether the origin is in the workspace and, for planar motion, the pose lies in the plane (to
   /// 1e-6 m and rad).

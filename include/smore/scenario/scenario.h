@@ -64,8 +64,15 @@ struct Scenario {
   Pose T_world_base = Pose::Identity();      ///< ur5e only: base_link
   Pose T_gripper_object = Pose::Identity();  ///< ur5e only: object frame in the grasp frame
 
-  MotionSpace motionSpace() const { return {motion, start, workspace}; }
+  MotionSpace motionSpace() const {
+    return {motion, start, workspace, robot == RobotKind::kCartesian};
+  }
 };
+
+/// Whether the robot turns what its sensor carries against gravity, so that its weight must be
+/// known: an arm's motions in space. What moves in the plane is tared, and the simulated Cartesian
+/// robot carries nothing.
+bool tiltsPayload(const Scenario& scenario);
 
 /// Reads a scenario file. InputError with every problem, one a line (file, key, remedy): unreadable
 /// or malformed files, unknown or missing keys, impossible values, start or goal outside of the

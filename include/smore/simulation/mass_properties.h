@@ -21,6 +21,15 @@ struct MassProperties {
 /// not be empty.
 MassProperties massProperties(const std::vector<Shape>& shapes, double mass);
 
+/// The same body seen from frame a.
+MassProperties transformMass(const Pose& T_a_b, const MassProperties& body_b);
+
+/// Rigidly joined bodies, all in one frame, as one. No bodies: no mass, its centre at the origin.
+MassProperties joined(const std::vector<MassProperties>& bodies);
+
+/// Pose of the centre of mass and of right-handed principal axes in the body's frame.
+Pose principalFrame(const MassProperties& body);
+
 /// The 6 x 6 inertia about the frame's origin, linear before angular:
 /// [m 1, -m [c]x; m [c]x, I_c - m [c]x [c]x].
 Eigen::Matrix<double, 6, 6> spatialInertia(const MassProperties& body);

@@ -51,6 +51,9 @@ class WristSpring {
   /// object frame.
   Wrench wrench(const WristDeflection& deflection) const;
 
+  /// The deflection at rest under which the spring exerts this wrench on the object.
+  WristDeflection deflectionUnder(const Wrench& wrench) const;
+
  private:
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "smore/common/joint_trajectory.h"
+
+namespace smore {
+
+/// Joint positions and velocities that follow a trajectory in time, as a joint trajectory
+/// controller does: cubic between points with velocities, straight where a point has none.
+class JointMotion {
+ public:
+  /// At rest at `positions`, in the order of `names`.
+  JointMotion(const std::vector<std::string>& names, const std::vector<double>& positions);
+
+  /// Replaces the motion: from `now` at rest, unless the trajectory has a point at time 0. Empty:
+  /// stays at `now`. InputError for unknown, missing or repeated joints, points of a wrong size,
+  /// values that are not finite or times that do not rise.
+  void follow(const JointTrajectory& trajectory, const std::vector<double>& now);
+
+  /// Ends the motion at `now`, at rest.
+  void stop(const std::vector<double>& now);
+
+  /// Whether the end of the trajectory has not been reached.
+  bool moving() const { return time_ < end_; }
+
+  /// Moves on by `step` [s], not negative.
+  void advance(double step);
+
+  const std::vector<double>& positions() const { return positions_; }
+  const std::vector<double>& velocities() const { return velocities_; }
+
+ private:
+  std::vector<JointTrajectoryPoint> ordered(const JointTrajectory& trajectory) const;
+  void interpolate(const JointTrajectoryPoint& from, const JointTrajectoryPoint& to);
+
+  std::vector<std::string> names_;
+  std::vector<JointTrajectoryPoint> points_;  ///< in the order of the names
+  size_t next_ = 0;                           ///< point that the present segment ends at
+  double time_ = 0.0;                         ///< since the trajectory's start [s]
+  double end_ = 0.0;
+  std::vector<double> positions_;
+  std::vector<double> velocities_;
+};
+
+}  // namespace smore
