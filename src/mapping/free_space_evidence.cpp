@@ -8,9 +8,6 @@
 namespace smore {
 namespace {
 
-// Where slots without a place are put: farther away than any two things that are compared.
-const Eigen::Vector3f kNowhere(1e4F, 1e4F, 1e4F);
-
 std::uint64_t cellOf(const Pose& pose, const FreeSpaceParameters& parameters) {
   const Eigen::AngleAxisd turn(pose.linear());
   const Vec3 rotation = turn.angle() * turn.axis();
@@ -22,26 +19,7 @@ std::uint64_t cellOf(const Pose& pose, const FreeSpaceParameters& parameters) {
   return hash;
 }
 
-void appendPlaces(const PointArray& points, int count, std::vector<Eigen::Vector3f>* places) {
-  for (int i = 0; i < kCandidates; ++i) places->push_back(i < count ? points.at(i) : kNowhere);
-}
-
-bool isPlace(const Eigen::Vector3f& point) { return point.x() < kNowhere.x(); }
-
 void setBit(CandidateBits* bits, int i) { (*bits)[i / 64] |= std::uint64_t{1} << (i % 64); }
-
-// Index of the places alone; empty slots would stretch its box.
-void rebuild(const std::vector<Eigen::Vector3f>& places, PointIndex* index) {
-  std::vector<Eigen::Vector3f> filled = places;
-  Eigen::Vector3f last = Eigen::Vector3f::Zero();
-  for (Eigen::Vector3f& place : filled) {
-    if (isPlace(place))
-      last = place;
-    else
-      place = last;
-  }
-  index->build(filled);
-}
 
 }  // namespace
 
@@ -52,11 +30,11 @@ FreeSpaceEvidence::FreeSpaceEvidence(const FreeSpaceParameters& parameters,
       world_index_(static_cast<float>(conflict_distance)) {}
 
 void FreeSpaceEvidence::mark(int object_place, int world_place) {
-  if (!isPlace(object_places_[object_place]) || !isPlace(world_places_[world_place])) return;
-  const int i = object_place % kCandidates;
-  const int j = world_place % kCandidates;
-  std::unique_ptr<ConflictTable>& table =
-      tables_[object_place / kCandidates][world_place / kCandidates];
+  const int on_object = contact_of_[object_place];
+  const int in_world = contact_of_[world_place];
+  const int i = object_place - first_place_[on_object];
+  const int j = world_place - first_place_[in_world];
+  std::unique_ptr<ConflictTable>& table = tables_[on_object][in_world];
   if (!table) table = std::make_unique<ConflictTable>();
   setBit(&table->by_object[i], j);
   setBit(&table->by_world[j], i);
@@ -71,7 +49,6 @@ bool FreeSpaceEvidence::addPose(const Pose& T_map_object) {
   poses_.push_back(T_map_object.cast<float>());
   const Eigen::Isometry3f& T = poses_.back();
   for (std::size_t i = 0; i < object_places_.size(); ++i) {
-    if (!isPlace(object_places_[i])) continue;
     world_index_.forNear(T * object_places_[i], [&](int j) { mark(static_cast<int>(i), j); });
   }
   return true;
@@ -79,12 +56,16 @@ bool FreeSpaceEvidence::addPose(const Pose& T_map_object) {
 
 void FreeSpaceEvidence::addContact(const ContactHypotheses& contact) {
   const int first = static_cast<int>(object_places_.size());
-  appendPlaces(contact.object, contact.count, &object_places_);
-  appendPlaces(contact.world, contact.count, &world_places_);
+  for (int i = 0; i < contact.count; ++i) {
+    object_places_.push_back(contact.object.at(i));
+    world_places_.push_back(contact.world.at(i));
+    contact_of_.push_back(static_cast<int>(first_place_.size()));
+  }
+  first_place_.push_back(first);
   for (auto& row : tables_) row.emplace_back();
   tables_.emplace_back(tables_.size() + 1);
-  rebuild(object_places_, &object_index_);
-  rebuild(world_places_, &world_index_);
+  object_index_.build(object_places_);
+  world_index_.build(world_places_);
   for (const Eigen::Isometry3f& T : poses_) {
     const Eigen::Isometry3f T_object_map = T.inverse();
     for (int i = first; i < first + contact.count; ++i) {
@@ -94,11 +75,29 @@ void FreeSpaceEvidence::addContact(const ContactHypotheses& contact) {
   }
 }
 
+void FreeSpaceEvidence::removeContact(int contact) {
+  const int first = first_place_[contact];
+  const bool is_last = contact + 1 == static_cast<int>(first_place_.size());
+  const int end = is_last ? static_cast<int>(contact_of_.size()) : first_place_[contact + 1];
+  object_places_.erase(object_places_.begin() + first, object_places_.begin() + end);
+  world_places_.erase(world_places_.begin() + first, world_places_.begin() + end);
+  contact_of_.erase(contact_of_.begin() + first, contact_of_.begin() + end);
+  for (std::size_t i = first; i < contact_of_.size(); ++i) --contact_of_[i];
+  first_place_.erase(first_place_.begin() + contact);
+  for (std::size_t k = contact; k < first_place_.size(); ++k) first_place_[k] -= end - first;
+  tables_.erase(tables_.begin() + contact);
+  for (auto& row : tables_) row.erase(row.begin() + contact);
+  object_index_.build(object_places_);
+  world_index_.build(world_places_);
+}
+
 void FreeSpaceEvidence::clear() {
   seen_.clear();
   poses_.clear();
   object_places_.clear();
   world_places_.clear();
+  contact_of_.clear();
+  first_place_.clear();
   tables_.clear();
   object_index_.build({});
   world_index_.build({});

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "smore/mapping/counter_random.h"
+#include "smore/mapping/contact_merging.h"
 
 namespace smore {
 namespace {
@@ -15,6 +15,9 @@ constexpr double kTrackAngle = 0.15;
 
 // Probabilities stay off 0 and 1 by less than what one of the 64 worlds counts.
 constexpr double kLeastProbability = 0.005;
+
+// Share of the contacts that is merged when there are too many: not each new one costs a merge.
+constexpr int kMergedShare = 10;  // one in so many
 
 // The masks of voxels, beside the grid that will hold their shares.
 class MaskedVoxels {
@@ -79,9 +82,18 @@ JointBelief::JointBelief(const JointBeliefParameters& parameters)
 
 void JointBelief::observe(const ContactObservation& observation) {
   if (observation.state == ContactState::kFree) addFree(observation.T_world_object);
-  if (observation.state == ContactState::kContact && observation.line) {
-    addContact(observation.T_world_object, *observation.line);
+  if (observation.state == ContactState::kContact) noteContact(observation);
+}
+
+void JointBelief::noteContact(const ContactObservation& observation) {
+  if (observation.line && addContact(observation.T_world_object, *observation.line)) {
+    poses_without_line_[observation.contact_id] = std::nullopt;
+    return;
   }
+  const Pose T_map_object = toMap(observation.T_world_object);
+  if (!poses_without_line_.emplace(observation.contact_id, T_map_object).second) return;
+  stale_ = true;
+  ++revision_;
 }
 
 void JointBelief::addFree(const Pose& T_world_object) {
@@ -107,17 +119,29 @@ void JointBelief::extendTrack(const Pose& T_world_object) {
   }
 }
 
-void JointBelief::addContact(const Pose& T_world_object, const LineOfAction& line) {
+bool JointBelief::addContact(const Pose& T_world_object, const LineOfAction& line) {
   const auto places = contactHypotheses(toMap(T_world_object), line, parameters_.feature,
                                         parameters_.T_world_plane.has_value());
-  if (!places) return;
-  const bool known = std::any_of(contacts_.begin(), contacts_.end(),
-                                 [&](const auto& contact) { return contact.id == places->id; });
-  if (known) return;
+  if (!places) return false;
+  if (!known_contacts_.insert(places->id).second) return true;
   contacts_.push_back(*places);
   evidence_.addContact(*places);
   stale_ = true;
   ++revision_;
+  if (static_cast<int>(contacts_.size()) > parameters_.most_contacts) mergeContacts();
+  return true;
+}
+
+void JointBelief::mergeContacts() {
+  refresh();
+  std::vector<int> merged = coveredContacts(contacts_, explanations_, parameters_.distribution,
+                                            parameters_.most_contacts / kMergedShare);
+  std::sort(merged.rbegin(), merged.rend());  // the last first, so that indices stay right
+  for (const int contact : merged) {
+    contacts_.erase(contacts_.begin() + contact);
+    evidence_.removeContact(contact);
+  }
+  stale_ = true;
 }
 
 const VoxelGrid& JointBelief::world() const {
@@ -138,6 +162,8 @@ const SampledWorlds& JointBelief::worlds() const {
 void JointBelief::reset() {
   evidence_.clear();
   contacts_.clear();
+  known_contacts_.clear();
+  poses_without_line_.clear();
   tracks_.clear();
   stale_ = true;
   ++revision_;
@@ -147,10 +173,14 @@ void JointBelief::refresh() const {
   if (!stale_) return;
   stale_ = false;
   const JointDistribution distribution(contacts_, evidence_, parameters_.distribution);
-  const std::vector<Explanation> explanations = distribution.sample(kHypotheses, parameters_.seed);
+  explanations_ = distribution.sample(kHypotheses, parameters_.seed);
   worlds_ =
-      SampledWorlds({contacts_, evidence_, explanations}, parameters_.feature, parameters_.extent,
+      SampledWorlds({contacts_, evidence_, explanations_}, parameters_.feature, parameters_.extent,
                     parameters_.T_world_plane.has_value(), parameters_.seed);
+  for (const auto& [contact_id, T_map_object] : poses_without_line_) {
+    if (!T_map_object) continue;
+    worlds_.setTouching(T_map_object->cast<float>(), parameters_.feature.reach);
+  }
   publish();
 }
 

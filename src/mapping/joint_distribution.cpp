@@ -8,12 +8,6 @@
 
 namespace smore {
 
-float attractionKernel(float squared) {
-  constexpr float kEnd = 1.0F / (37.0F * 37.0F);  // value of the bell at distance 6
-  const float bell = 1.0F / ((1.0F + squared) * (1.0F + squared));
-  return std::max(0.0F, bell - kEnd);
-}
-
 JointDistribution::JointDistribution(const std::vector<ContactHypotheses>& contacts,
                                      const FreeSpaceEvidence& evidence,
                                      const DistributionParameters& parameters)

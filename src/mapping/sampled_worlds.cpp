@@ -60,7 +60,25 @@ void SampledWorlds::makeBlocks(const std::vector<MaskedPoint>& points, float siz
   }
 }
 
+void SampledWorlds::setTouching(const Eigen::Isometry3f& T_map_object, double reach) {
+  touching_poses_.push_back({T_map_object, static_cast<float>(reach)});
+}
+
+bool SampledWorlds::isLikeATouchingPose(const Eigen::Isometry3f& T_map_object) const {
+  const auto largest = 0.5F * static_cast<float>(contact_distance_);
+  return std::any_of(
+      touching_poses_.begin(), touching_poses_.end(), [&](const TouchingPose& touching) {
+        const float shift =
+            (touching.T_map_object.translation() - T_map_object.translation()).norm();
+        if (shift > largest) return false;
+        const Eigen::Matrix3f turn =
+            touching.T_map_object.linear().transpose() * T_map_object.linear();
+        return shift + touching.reach * Eigen::AngleAxisf(turn).angle() <= largest;
+      });
+}
+
 HypothesisMask SampledWorlds::touching(const Eigen::Isometry3f& T_map_object, int enough) const {
+  if (isLikeATouchingPose(T_map_object)) return ~HypothesisMask{0};
   return overlap(object_moves_ ? T_map_object : T_map_object.inverse(), enough);
 }
 

@@ -16,11 +16,6 @@ float latticeCell(const FeatureParameters& feature) {
   return static_cast<float>(feature.conflictDistance()) / 3.0F;
 }
 
-double gaussian(CounterRandom* random) {
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - random->uniform()));
-  return radius * std::cos(2.0 * kPi * random->uniform());
-}
-
 }  // namespace
 
 SurfaceExtents::SurfaceExtents(const WorldSamples& samples, const FeatureParameters& feature,
@@ -76,9 +71,8 @@ void SurfaceExtents::grow(Side side, int contact, int hypothesis) {
       mixBits(touched.id, mixBits(seed_, 2 * hypothesis + (on_object ? 1 : 0)));
   const HypothesisMask bit = HypothesisMask{1} << hypothesis;
   CounterRandom random(~seed);
-  const double stddev = std::hypot(touched.direction_stddev, extent_.normal_stddev);
   for (const Eigen::Vector3f& tangent :
-       tangents(on_object ? touched.object_normal : touched.world_normal, stddev, seed)) {
+       tangents((on_object ? touched.object_normal : touched.world_normal).at(place), seed)) {
     Eigen::Vector3f point = start;
     while (random.uniform() < go_on) {
       point += step * tangent;
@@ -89,29 +83,19 @@ void SurfaceExtents::grow(Side side, int contact, int hypothesis) {
   }
 }
 
-std::vector<Eigen::Vector3f> SurfaceExtents::tangents(const Vec3& normal, double stddev,
+std::vector<Eigen::Vector3f> SurfaceExtents::tangents(const Eigen::Vector3f& normal,
                                                       std::uint64_t seed) const {
-  CounterRandom random(seed);
-  std::vector<Eigen::Vector3f> result;
   if (planar_) {
-    const double tilt = stddev * gaussian(&random);
-    const Vec3 tangent =
-        Eigen::AngleAxisd(tilt, Vec3::UnitZ()) * Vec3(-normal.y(), normal.x(), 0.0);
-    result.push_back(tangent.cast<float>());
-    result.push_back(-tangent.cast<float>());
-    return result;
+    const Eigen::Vector3f tangent(-normal.y(), normal.x(), 0.0F);
+    return {tangent, -tangent};
   }
-  const Vec3 across = normal.unitOrthogonal();
-  const Vec3 up = normal.cross(across);
-  const Vec3 tilted =
-      (normal + stddev * (gaussian(&random) * across + gaussian(&random) * up)).normalized();
-  const Vec3 first = tilted.unitOrthogonal();
-  const Vec3 second = tilted.cross(first);
-  const double turn = 2.0 * kPi * random.uniform();
+  const Eigen::Vector3f first = normal.unitOrthogonal();
+  const Eigen::Vector3f second = normal.cross(first);
+  const double turn = 2.0 * kPi * CounterRandom(seed).uniform();
+  std::vector<Eigen::Vector3f> result;
   for (int ray = 0; ray < kSpatialRays; ++ray) {
-    const double angle = turn + 2.0 * kPi * ray / kSpatialRays;
-    const Vec3 tangent = std::cos(angle) * first + std::sin(angle) * second;
-    result.push_back(tangent.cast<float>());
+    const auto angle = static_cast<float>(turn + 2.0 * kPi * ray / kSpatialRays);
+    result.emplace_back(std::cos(angle) * first + std::sin(angle) * second);
   }
   return result;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "smore/common/parallel_for.h"
 #include "smore/mapping/counter_random.h"
 
 namespace smore {
@@ -32,7 +33,7 @@ std::vector<Explanation> TemperedPopulation::run() {
 }
 
 void TemperedPopulation::sweep(double heat, std::uint64_t seed) {
-  for (std::size_t m = 0; m < chains_.size(); ++m) chains_[m].sweep(heat, mixBits(seed, m));
+  parallelFor(chains_.size(), [&](std::size_t m) { chains_[m].sweep(heat, mixBits(seed, m)); });
 }
 
 void TemperedPopulation::resample(double heat_step, std::uint64_t seed) {
@@ -44,14 +45,24 @@ void TemperedPopulation::resample(double heat_step, std::uint64_t seed) {
   // Systematic: each chain is continued as often as its weight says, up to rounding.
   const double stride = sum / static_cast<double>(chains_.size());
   double at = CounterRandom(seed).uniform() * stride;
-  std::vector<GibbsChain> next;
+  std::vector<int> copies(chains_.size(), 0);
   double passed = 0.0;
   for (std::size_t m = 0; m < chains_.size(); ++m) {
     passed += weights[m];
-    for (; at < passed && next.size() < chains_.size(); at += stride) next.push_back(chains_[m]);
+    for (; at < passed; at += stride) ++copies[m];
   }
-  while (next.size() < chains_.size()) next.push_back(chains_.back());
-  chains_ = std::move(next);
+  continueChains(std::move(copies));
+}
+
+void TemperedPopulation::continueChains(std::vector<int> copies) {
+  std::size_t source = 0;
+  for (std::size_t m = 0; m < chains_.size(); ++m) {
+    if (copies[m] > 0) continue;
+    while (source < chains_.size() && copies[source] < 2) ++source;
+    if (source == chains_.size()) return;
+    chains_[m] = chains_[source];
+    --copies[source];
+  }
 }
 
 }  // namespace smore

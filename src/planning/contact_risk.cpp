@@ -12,6 +12,16 @@ namespace {
 constexpr double kCheckShare = 0.3;
 constexpr double kFinestCheck = 0.001;
 
+// Probability that one more world would touch: with Jeffreys' prior for a share, none in 64 worlds
+// is not yet never.
+double predictedShare(HypothesisMask touching) {
+  return (kHypotheses * shareOf(touching) + 0.5) / (kHypotheses + 1.0);
+}
+
+double entropyTerm(double probability) {
+  return probability > 0.0 ? -probability * std::log(probability) : 0.0;
+}
+
 }  // namespace
 
 ContactRisk::ContactRisk(const JointBelief& belief)
@@ -32,14 +42,49 @@ HypothesisMask ContactRisk::touchingAlong(const Path& path) const {
 
 double ContactRisk::ofMotion(const Path& path) const {
   const FreeSpaceEvidence& free = belief_->freeSpace();
-  const double cell = free.parameters().position_cell;
-  int unknown = 0;
-  for (const Pose& pose : densify(path, cell, free.parameters().angle_cell)) {
-    unknown += free.knows(belief_->toMap(pose)) ? 0 : 1;
+  const FreeSpaceParameters& cell = free.parameters();
+  int fresh = 0;
+  for (const Pose& pose : densify(path, cell.position_cell, cell.angle_cell)) {
+    fresh += free.knows(belief_->toMap(pose)) ? 0 : 1;
   }
+  const double known = std::max(1.0, static_cast<double>(free.cellCount()));
+  const double no_surprise = known / (known + fresh);
+  return 1.0 - (1.0 - predictedShare(touchingAlong(path))) * no_surprise;
+}
+
+double ContactRisk::surpriseRate() const {
+  const FreeSpaceEvidence& free = belief_->freeSpace();
   const double contacts = 1.0 + static_cast<double>(belief_->contactCount());
-  const double cells = kPriorLength / cell + static_cast<double>(free.cellCount());
-  return 1.0 - (1.0 - along(path)) * std::exp(-contacts / cells * unknown);
+  const double cells =
+      kPriorLength / free.parameters().position_cell + static_cast<double>(free.cellCount());
+  return contacts / cells;
+}
+
+double ContactRisk::informationOf(const Path& path) const {
+  const FreeSpaceEvidence& free = belief_->freeSpace();
+  const FreeSpaceParameters& cell = free.parameters();
+  const double no_surprise_in_cell = std::exp(-surpriseRate());
+  HypothesisMask touched = 0;
+  double no_surprise = 1.0;
+  double surprise = 0.0;
+  double entropy = 0.0;
+  for (const Pose& pose : densify(path, cell.position_cell, cell.angle_cell)) {
+    const HypothesisMask first = touching(pose) & ~touched;
+    touched |= first;
+    entropy += entropyTerm(no_surprise * shareOf(first));
+    if (free.knows(belief_->toMap(pose))) continue;
+    const double before = no_surprise;
+    no_surprise *= no_surprise_in_cell;
+    surprise += shareOf(~touched) * (before - no_surprise);
+  }
+  const double patches = std::max(1.0, patchesOfObject());
+  entropy += entropyTerm(surprise) + surprise * std::log(patches);
+  return entropy + entropyTerm(no_surprise * shareOf(~touched));
+}
+
+double ContactRisk::patchesOfObject() const {
+  const double size = belief_->parameters().feature.reach / worlds_->contactDistance();
+  return belief_->parameters().T_world_plane ? 2.0 * M_PI * size : 4.0 * M_PI * size * size;
 }
 
 }  // namespace smore

@@ -25,10 +25,6 @@ std::uint64_t keyOf(const Cell& cell) {
 
 }  // namespace
 
-double cspaceDistance(const Pose& a, const Pose& b) {
-  return distanceBetween(a, b) + angleBetween(a, b);
-}
-
 CspaceMemory::CspaceMemory(const CspaceMemoryParameters& parameters) : parameters_(parameters) {
   if (!(parameters.radius > 0.0)) {
     throw std::invalid_argument("the radius of the C-space memory must be positive");
@@ -48,8 +44,8 @@ bool CspaceMemory::isValid(const Pose& pose, const Pose& known_free) const {
   const auto is_too_near = [&](std::uint32_t position) {
     const Pose& contact = poses_[position];
     if (distanceBetween(pose, contact) >= parameters_.radius) return false;
-    const double distance = cspaceDistance(pose, contact);
-    return distance < parameters_.radius && distance < cspaceDistance(known_free, contact);
+    const double distance = gapBetween(pose, contact);
+    return distance < parameters_.radius && distance < gapBetween(known_free, contact);
   };
   // Origins within the radius lie in the same cell or in one that touches it.
   const Cell home = cellOf(pose.translation(), parameters_.radius);

@@ -234,8 +234,7 @@ Result<Path> PathPlanner::plan(const Pose& start, const Pose& goal, const StateV
     const std::string reason = refusal(name, pose, space_, states, valid);
     if (!reason.empty()) return Failure{reason};
   }
-  if (distanceBetween(start, goal) + angleBetween(start, goal) <= kSamePose)
-    return Path{start, goal};
+  if (gapBetween(start, goal) <= kSamePose) return Path{start, goal};
   Search search(states, parameters_, seed_, valid, motion_valid);
   Result<Path> path = search.run(start, goal);
   if (keep_tree_) tree_ = search.tree();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace smore {
 namespace {
@@ -12,7 +13,23 @@ namespace {
 constexpr double kCheckShare = 0.3;
 constexpr double kCoarsestCheck = 0.05;
 
+// Rounds over a motion, each of every fourth of its poses: most bad motions show in the first.
+constexpr int kPasses = 4;
+
+// In (-pi, pi] [rad].
+double turnAboutZ(const Eigen::Quaternionf& rotation) {
+  return std::remainder(2.0 * std::atan2(rotation.z(), rotation.w()), 2.0 * M_PI);
+}
+
 }  // namespace
+
+MotionCost& MotionCost::operator+=(const MotionCost& other) {
+  length += other.length;
+  touching |= other.touching;
+  if (other.touching == 0) return *this;
+  for (int m = 0; m < kHypotheses; ++m) touching_length[m] += other.touching_length[m];
+  return *this;
+}
 
 Eigen::Isometry3f RiskState::pose() const {
   Eigen::Isometry3f T = Eigen::Isometry3f::Identity();
@@ -26,8 +43,8 @@ RiskState interpolate(const RiskState& a, const RiskState& b, float fraction) {
           a.rotation.slerp(fraction, b.rotation)};
 }
 
-RiskMotions::RiskMotions(const SampledWorlds& worlds, double lever)
-    : worlds_(&worlds), lever_(static_cast<float>(lever)) {
+RiskMotions::RiskMotions(const SampledWorlds& worlds, double lever, bool full_turns)
+    : worlds_(&worlds), lever_(static_cast<float>(lever)), full_turns_(full_turns) {
   const double distance = worlds.contactDistance();
   check_ = distance > 0.0 ? kCheckShare * distance : kCoarsestCheck;
 }
@@ -48,23 +65,41 @@ int RiskMotions::steps(const RiskState& from, const RiskState& to) const {
   return std::max(1, static_cast<int>(std::ceil(distance(from, to) / check_)));
 }
 
+// The shorter turn between two angles in (-pi, pi] that differ by more than pi leads past pi.
+bool RiskMotions::turnsTooFar(const RiskState& from, const RiskState& to) const {
+  return !full_turns_ && std::abs(turnAboutZ(from.rotation) - turnAboutZ(to.rotation)) > M_PI;
+}
+
 MotionCost RiskMotions::cost(const RiskState& from, const RiskState& to) const {
+  return *costUnless(from, to, [](const MotionCost&) { return false; });
+}
+
+std::optional<MotionCost> RiskMotions::costUnless(
+    const RiskState& from, const RiskState& to,
+    const std::function<bool(const MotionCost& part)>& hopeless) const {
   MotionCost result;
-  result.length = distance(from, to);
+  result.length =
+      turnsTooFar(from, to) ? std::numeric_limits<double>::infinity() : distance(from, to);
+  if (hopeless(result)) return std::nullopt;
+  if (std::isinf(result.length)) return result;
   const int count = steps(from, to);
   const auto step = static_cast<float>(result.length / count);
-  for (int i = 1; i <= count; ++i) {
-    const float fraction = static_cast<float>(i) / static_cast<float>(count);
-    const HypothesisMask mask = worlds_->touching(interpolate(from, to, fraction).pose());
-    result.touching |= mask;
-    for (HypothesisMask left = mask; left != 0; left &= left - 1) {
-      result.touching_length[__builtin_ctzll(left)] += step;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    for (int i = count - pass; i >= 1; i -= kPasses) {
+      const float fraction = static_cast<float>(i) / static_cast<float>(count);
+      const HypothesisMask mask = worlds_->touching(interpolate(from, to, fraction).pose());
+      result.touching |= mask;
+      for (HypothesisMask left = mask; left != 0; left &= left - 1) {
+        result.touching_length[__builtin_ctzll(left)] += step;
+      }
     }
+    if (hopeless(result)) return std::nullopt;
   }
   return result;
 }
 
 bool RiskMotions::within(const RiskState& from, const RiskState& to, int limit) const {
+  if (turnsTooFar(from, to)) return false;
   const int count = steps(from, to);
   if (limit >= kHypotheses) return true;
   // From the end: it lies farthest from what is known to be within.

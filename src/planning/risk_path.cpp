@@ -20,27 +20,15 @@ RiskPath::RiskPath(const RiskMotions& motions, const RiskObjective& objective,
     : motions_(&motions), objective_(objective), states_(std::move(states)) {
   for (std::size_t i = 1; i < states_.size(); ++i) {
     costs_.push_back(motions_->cost(states_[i - 1], states_[i]));
+    total_ += costs_.back();
   }
-  evaluate();
+  value_ = valueOf(total_);
 }
 
-void RiskPath::evaluate() {
-  value_ = valueOf(costs_);
-  touching_ = 0;
-  for (const MotionCost& cost : costs_) touching_ |= cost.touching;
-}
-
-double RiskPath::valueOf(const std::vector<MotionCost>& costs) const {
-  std::array<float, kHypotheses> touching_length{};
-  double length = 0.0;
-  for (const MotionCost& cost : costs) {
-    length += cost.length;
-    if (cost.touching == 0) continue;
-    for (int m = 0; m < kHypotheses; ++m) touching_length[m] += cost.touching_length[m];
-  }
+double RiskPath::valueOf(const MotionCost& total) const {
   double passing = kLeastHope;
-  for (const float touched : touching_length) passing += std::exp(-touched / objective_.give);
-  return length - objective_.touch_cost * std::log(passing / kHypotheses);
+  for (const float touched : total.touching_length) passing += std::exp(-touched / objective_.give);
+  return total.length - objective_.touch_cost * std::log(passing / kHypotheses);
 }
 
 void RiskPath::improve(const RiskSpace& space, int attempts, double distance,
@@ -49,34 +37,43 @@ void RiskPath::improve(const RiskSpace& space, int attempts, double distance,
   for (int i = 0; i < attempts && states_.size() > 2; ++i) tryMove(space, distance, random);
 }
 
-bool RiskPath::tryShortcut(CounterRandom* random) {
+void RiskPath::tryShortcut(CounterRandom* random) {
   int i = random->index(static_cast<int>(states_.size()));
   int j = random->index(static_cast<int>(states_.size()));
   if (i > j) std::swap(i, j);
-  if (j - i < 2) return false;
-  std::vector<MotionCost> costs(costs_.begin(), costs_.begin() + i);
-  costs.push_back(motions_->cost(states_[i], states_[j]));
-  costs.insert(costs.end(), costs_.begin() + j, costs_.end());
-  if (valueOf(costs) > value_) return false;
-  states_.erase(states_.begin() + i + 1, states_.begin() + j);
-  costs_ = std::move(costs);
-  evaluate();
-  return true;
+  if (j - i >= 2) replace(i, j, {});
 }
 
-bool RiskPath::tryMove(const RiskSpace& space, double distance, CounterRandom* random) {
+void RiskPath::tryMove(const RiskSpace& space, double distance, CounterRandom* random) {
   const int i = 1 + random->index(static_cast<int>(states_.size()) - 2);
   const RiskState moved =
       space.sampleNear(states_[i], distance, kTurnShare * distance / space.lever(), random);
-  if (!space.contains(moved)) return false;
-  std::vector<MotionCost> costs = costs_;
-  costs[i - 1] = motions_->cost(states_[i - 1], moved);
-  costs[i] = motions_->cost(moved, states_[i + 1]);
-  if (valueOf(costs) >= value_) return false;
-  states_[i] = moved;
-  costs_ = std::move(costs);
-  evaluate();
-  return true;
+  if (space.contains(moved)) replace(i - 1, i + 1, {moved});
+}
+
+void RiskPath::replace(int first, int last, const std::vector<RiskState>& inner) {
+  MotionCost total;
+  for (int i = 0; i < first; ++i) total += costs_[i];
+  for (std::size_t i = last; i < costs_.size(); ++i) total += costs_[i];
+  const auto hopeless = [&](const MotionCost& part) {
+    MotionCost sum = total;
+    return valueOf(sum += part) > value_;
+  };
+  std::vector<RiskState> way = inner;
+  way.push_back(states_[last]);
+  std::vector<MotionCost> costs;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const auto cost = motions_->costUnless(i == 0 ? states_[first] : way[i - 1], way[i], hopeless);
+    if (!cost) return;
+    costs.push_back(*cost);
+    total += *cost;
+  }
+  const auto rest = costs_.erase(costs_.begin() + first, costs_.begin() + last);
+  costs_.insert(rest, costs.begin(), costs.end());
+  states_.erase(states_.begin() + first + 1, states_.begin() + last);
+  states_.insert(states_.begin() + first + 1, inner.begin(), inner.end());
+  total_ = total;
+  value_ = valueOf(total_);
 }
 
 }  // namespace smore

@@ -49,8 +49,9 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
       seed_(seed) {}
 
 Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
-  Search search{RiskMotions(belief_->worlds(), parameters_.lever), space_.toState(start),
-                space_.toState(goal), CounterRandom(mixBits(seed_, calls_++))};
+  Search search{RiskMotions(belief_->worlds(), parameters_.lever, space_.fullTurns()),
+                space_.toState(start), space_.toState(goal),
+                CounterRandom(mixBits(seed_, calls_++))};
   if (!space_.contains(search.start)) return Failure{"the start is outside of the workspace"};
   if (!space_.contains(search.goal)) return Failure{"the goal is outside of the workspace"};
   const std::vector<RiskPath> paths = climb(&search);

@@ -127,11 +127,11 @@ TEST(JointBelief, ARepeatedObservationCountsOnce) {
 }
 
 // A thin finger at (0.12, 0) of the object touches a thin peg from `count` directions; on each way
-// there the object was free.
+// there the object was free. The lines measured are shifted by `miss` to either side in turn.
 constexpr double kFinger = 0.12;
 const Vec3 kPeg(0.4, 0.1, 0.0);
 
-void touchPeg(int count, JointBelief* belief) {
+void touchPeg(int count, JointBelief* belief, double miss = 0.0) {
   for (int i = 0; i < count; ++i) {
     const double heading = 2.0 * M_PI * i / count;
     const Vec3 along(std::cos(heading), std::sin(heading), 0.0);
@@ -139,7 +139,10 @@ void touchPeg(int count, JointBelief* belief) {
       return makePose(kPeg - (kFinger + gap) * along, {0, 0, heading});
     };
     for (double gap = 0.2; gap > 0.004; gap -= 0.01) belief->observe(freeAt(poseAt(gap), 0));
-    belief->observe(contactAt(poseAt(0.0), {kFinger, 0, 0}, {-1, 0, 0}));
+    const double shift = i % 2 == 0 ? miss : -miss;
+    ContactObservation contact = contactAt(poseAt(0.0), {kFinger, shift, 0}, {-1, 0, 0});
+    contact.line->offset_stddev = miss;
+    belief->observe(contact);
   }
 }
 
@@ -164,6 +167,23 @@ TEST(JointBelief, OneFalseContactDoesNotRuinTheMaps) {
   touchPeg(6, &belief);
   // A spike in the middle of a motion that was free before.
   belief.observe(contactAt(makePose(kPeg - Vec3(0.22, 0, 0)), {0.05, 0.0, 0}, {0.3, 1, 0}));
+  EXPECT_GT(pegProbability(belief), 0.7);
+}
+
+TEST(JointBelief, MergedContactsStayInTheMaps) {
+  JointBeliefParameters parameters = planarParameters();
+  parameters.most_contacts = 10;
+  JointBelief belief(parameters);
+  touchPeg(30, &belief);
+  EXPECT_EQ(belief.contactCount(), 30U);
+  EXPECT_GT(pegProbability(belief), 0.8);
+}
+
+// The lines miss the peg by a centimetre to either side in turn, as they state.
+TEST(JointBelief, LinesThatMissByWhatTheyStateShowThePegToo) {
+  JointBelief belief(planarParameters());
+  constexpr double kMiss = 0.01;
+  touchPeg(8, &belief, kMiss);
   EXPECT_GT(pegProbability(belief), 0.7);
 }
 

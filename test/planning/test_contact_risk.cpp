@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
 #include <random>
 
 #include "smore/planning/contact_risk.h"
@@ -95,6 +97,58 @@ TEST(ContactRisk, NothingKnownIsNoRisk) {
   const ContactRisk risk(belief);
   EXPECT_EQ(risk.atPose(Pose::Identity()), 0.0);
   EXPECT_EQ(risk.along({makePose({0, 0, 0}), makePose({1, 0, 0})}), 0.0);
+}
+
+// As many new cells as there are known ones: whether the next surprise comes before or after is
+// even, whatever the scale.
+TEST(ContactRisk, OfAMotionFallsWithWhatIsKnownToBeFree) {
+  JointBelief belief{JointBeliefParameters{}};
+  const double cell = belief.freeSpace().parameters().position_cell;
+  ContactObservation free;
+  free.state = ContactState::kFree;
+  constexpr int kCells = 40;
+  for (int i = 0; i < kCells; ++i) {
+    free.T_world_object = makePose({i * cell, 0, 0});
+    belief.observe(free);
+  }
+  const ContactRisk risk(belief);
+  const auto motion = [&](int from, int to) {
+    return Path{makePose({from * cell, 0, 0}), makePose({to * cell, 0, 0})};
+  };
+  EXPECT_LT(risk.ofMotion(motion(0, kCells - 1)), 0.01);
+  EXPECT_NEAR(risk.ofMotion(motion(0, 2 * kCells - 1)), 0.5, 0.02);
+  EXPECT_NEAR(risk.ofMotion(motion(0, 4 * kCells - 1)), 0.75, 0.02);
+}
+
+// Of a motion through known free space the outcome depends on the sampled worlds alone: their
+// entropy, counted world by world.
+TEST(ContactRisk, InformationIsTheEntropyOfWhereEachWorldTouchesFirst) {
+  JointBelief belief = randomBelief(true, 2);
+  const Path path = {makePose({-0.3, 0, 0}), makePose({0.3, 0.1, 0})};
+  const FreeSpaceParameters cell = belief.freeSpace().parameters();
+  const Path poses = densify(path, cell.position_cell, cell.angle_cell);
+  ContactObservation free;
+  free.state = ContactState::kFree;
+  // Known to be free but for the half that the worlds are asked about.
+  for (std::size_t i = 0; i < poses.size() / 2; ++i) {
+    free.T_world_object = poses[i];
+    belief.observe(free);
+  }
+  const ContactRisk risk(belief);
+  const Path known(poses.begin(), poses.begin() + static_cast<long>(poses.size() / 2));
+  std::map<std::size_t, int> worlds_by_outcome;
+  for (int world = 0; world < kHypotheses; ++world) {
+    std::size_t outcome = 0;
+    while (outcome < known.size() && (risk.touching(known[outcome]) >> world & 1U) == 0) ++outcome;
+    ++worlds_by_outcome[outcome];
+  }
+  double entropy = 0.0;
+  for (const auto& [outcome, worlds] : worlds_by_outcome) {
+    const double share = static_cast<double>(worlds) / kHypotheses;
+    entropy -= share * std::log(share);
+  }
+  EXPECT_NEAR(risk.informationOf(known), entropy, 1e-9);
+  EXPECT_GT(risk.informationOf(path), entropy) << "the rest may touch what nothing has touched yet";
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(CspaceMemoryTest, agreesWithAllPairsOverThousandsOfPoses) {
     const Pose pose = source.next();
     const auto& poses = memory.contactPoses();
     const bool truth = std::none_of(poses.begin(), poses.end(), [&](const Pose& contact) {
-      return cspaceDistance(contact, pose) < 0.08;
+      return gapBetween(contact, pose) < 0.08;
     });
     ASSERT_EQ(memory.isValid(pose, kFarAway), truth);
     valid += truth ? 1 : 0;
@@ -98,7 +98,7 @@ TEST(CspacePlannerTest, goesAroundTheContactsThatItKnows) {
   EXPECT_EQ(plan->risk, 0.0);
   for (const Pose& pose : densify(plan->path, 0.001, 0.001)) {
     for (const Pose& contact : memory.contactPoses()) {
-      ASSERT_GE(cspaceDistance(pose, contact), 0.9 * 0.1);
+      ASSERT_GE(gapBetween(pose, contact), 0.9 * 0.1);
     }
   }
 }

@@ -10,8 +10,8 @@
 
 namespace smore {
 
-/// Places on a line of action that are told apart: the bits of two machine words.
-constexpr int kCandidates = 128;
+/// Places of a contact that are told apart at most: the bits of four machine words.
+constexpr int kCandidates = 256;
 
 /// What a contact is assumed to be: two balls of one radius that touch, one on the object, one on
 /// the world, with their common normal on the line of action. Any two such balls stand for matter,
@@ -38,22 +38,26 @@ struct PointArray {
   void set(int i, const Vec3& point);
 };
 
-/// All places on one line of action where the contact may have been.
+/// All places where one contact may have been, as draws from what is known of it by itself: where
+/// on its line of action, and where the line was, given the uncertainty that it states.
 struct ContactHypotheses {
   int count = 0;      ///< places in use, at most kCandidates
   PointArray object;  ///< centres of the balls on the object, in the object frame [m]
   PointArray world;   ///< centres of the balls on the world, in the map frame [m]
   std::array<float, kCandidates> log_prior{};  ///< normalised over the places
-  Vec3 object_normal = Vec3::UnitX();          ///< unit, into the object, in the object frame
-  Vec3 world_normal = Vec3::UnitX();           ///< the same in the map frame
-  double direction_stddev = 0.0;               ///< of the normal, per axis [rad]
+  PointArray object_normal;                    ///< unit, into the object, in the object frame
+  PointArray world_normal;                     ///< the same in the map frame
   std::uint64_t id = 0;  ///< hash of what was observed: equal observations have equal ones
 };
 
-/// The places of a contact at `T_map_object` with the line `line` in the object frame, a spacing of
-/// 2 reach / kCandidates apart. `planar`: the motion is in the map frame's x-y plane, in which all
-/// bodies count as prisms, so that everything is projected onto it. Nothing where the line passes
-/// outside of the reach, or, in planar motion, is too steep to the plane to say where.
+/// The places of a contact at `T_map_object` with the line `line` in the object frame: half of
+/// kCandidates, evenly spaced over twice the reach, on an exact line; kCandidates on lines that are
+/// scattered about it, normally and evenly (Roberts' sequence), as the line's own standard
+/// deviations say. A pitch, which no single contact has, counts as an error of the line's offset.
+///
+/// `planar`: the motion is in the map frame's x-y plane, in which all bodies count as prisms, so
+/// that everything is projected onto it. Nothing where the line passes outside of the reach, or, in
+/// planar motion, is too steep to the plane to say where.
 std::optional<ContactHypotheses> contactHypotheses(const Pose& T_map_object,
                                                    const LineOfAction& line,
                                                    const FeatureParameters& parameters,

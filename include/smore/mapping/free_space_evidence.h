@@ -40,6 +40,9 @@ class FreeSpaceEvidence {
   /// A contact's places, with all that the known free poses say about them.
   void addContact(const ContactHypotheses& contact);
 
+  /// Forgets a contact; those after it move up by one.
+  void removeContact(int contact);
+
   /// Whether a pose in the same cell was free.
   bool knows(const Pose& T_map_object) const;
 
@@ -64,8 +67,11 @@ class FreeSpaceEvidence {
   FreeSpaceParameters parameters_;
   std::unordered_set<std::uint64_t> seen_;
   std::vector<Eigen::Isometry3f> poses_;
-  std::vector<Eigen::Vector3f> object_places_;  ///< of all contacts, kCandidates each
+  // The places of all contacts, one contact after the other.
+  std::vector<Eigen::Vector3f> object_places_;
   std::vector<Eigen::Vector3f> world_places_;
+  std::vector<int> contact_of_;   ///< for each place
+  std::vector<int> first_place_;  ///< for each contact
   PointIndex object_index_;
   PointIndex world_index_;
   std::vector<std::vector<std::unique_ptr<ConflictTable>>> tables_;  ///< [on_object][in_world]

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 #include "smore/mapping/contact_hypotheses.h"
@@ -21,6 +23,9 @@ struct JointBeliefParameters {
   /// motion in space.
   std::optional<Pose> T_world_plane;
   std::uint64_t seed = 1;
+  /// Where there are more contacts, a tenth of them is merged: those that the others say as well in
+  /// all worlds are left out of the inference. At least 10.
+  int most_contacts = 100;
   FeatureParameters feature;
   FreeSpaceParameters free_space;
   DistributionParameters distribution;
@@ -31,8 +36,8 @@ struct JointBeliefParameters {
 /// all contacts and all free poses, as 64 equally likely worlds. Both maps are their marginals.
 ///
 /// The same set of observations gives the same belief in any order and at any rate of free samples
-/// that is fine against the cells of FreeSpaceParameters. Free poses take effect in the maps when
-/// they are next asked for.
+/// that is fine against the cells of FreeSpaceParameters, as long as no contacts are merged. Free
+/// poses take effect in the maps when they are next asked for.
 class JointBelief : public TwinMap {
  public:
   explicit JointBelief(const JointBeliefParameters& parameters);
@@ -54,12 +59,15 @@ class JointBelief : public TwinMap {
 
   const FreeSpaceEvidence& freeSpace() const { return evidence_; }
 
-  std::size_t contactCount() const { return contacts_.size(); }
+  /// Contacts observed so far, those that were merged included.
+  std::size_t contactCount() const { return known_contacts_.size(); }
   const JointBeliefParameters& parameters() const { return parameters_; }
 
  private:
   void addFree(const Pose& T_world_object);
-  void addContact(const Pose& T_world_object, const LineOfAction& line);
+  void noteContact(const ContactObservation& observation);
+  bool addContact(const Pose& T_world_object, const LineOfAction& line);
+  void mergeContacts();
   void extendTrack(const Pose& T_world_object);
   void refresh() const;
   void publish() const;
@@ -69,11 +77,16 @@ class JointBelief : public TwinMap {
   std::uint64_t revision_ = 0;
   FreeSpaceEvidence evidence_;
   std::vector<ContactHypotheses> contacts_;
+  std::unordered_set<std::uint64_t> known_contacts_;  ///< ids
+  /// By contact_id, the pose of each contact whose line says nothing or has not come yet
+  /// [T_map_object]; nothing for the others.
+  std::map<int, std::optional<Pose>> poses_without_line_;
   std::vector<Path> tracks_;
   Pose last_free_ = Pose::Identity();
 
   // What follows from the evidence, made when it is asked for.
   mutable bool stale_ = false;
+  mutable std::vector<Explanation> explanations_;
   mutable SampledWorlds worlds_;
   mutable VoxelGrid world_;
   mutable VoxelGrid object_;

@@ -16,7 +16,6 @@ namespace smore {
 struct ExtentParameters {
   double object_length = 0.15;  ///< mean length to each side of a touch on the object [m]
   double world_length = 0.04;   ///< the same in the world [m]
-  double normal_stddev = 0.0;   ///< of the normal, beyond what the line itself states [rad]
 };
 
 /// The surroundings of a joint sample: all that SampledWorlds is made from. Views.
@@ -34,6 +33,11 @@ class SampledWorlds {
   SampledWorlds() = default;
   SampledWorlds(const WorldSamples& samples, const FeatureParameters& feature,
                 const ExtentParameters& extent, bool planar, std::uint64_t seed);
+
+  /// From now on the object touches in every world at poses like this one, at which it did touch:
+  /// those from which no matter within `reach` [m] of the object frame's origin has moved by more
+  /// than half the distance at which two balls touch.
+  void setTouching(const Eigen::Isometry3f& T_map_object, double reach);
 
   /// The worlds in which the object touches at this pose in the map frame. Once they are more than
   /// `enough`, the rest may be missing.
@@ -54,10 +58,17 @@ class SampledWorlds {
     int first = 0;
     int last = 0;
   };
+  /// A pose at which the object touched, and poses like it.
+  struct TouchingPose {
+    Eigen::Isometry3f T_map_object;
+    float reach;
+  };
+  bool isLikeATouchingPose(const Eigen::Isometry3f& T_map_object) const;
   void makeBlocks(const std::vector<MaskedPoint>& points, float size);
   HypothesisMask overlap(const Eigen::Isometry3f& pose, int enough) const;
 
   double contact_distance_ = 0.0;
+  std::vector<TouchingPose> touching_poses_;
   std::vector<MaskedPoint> object_;
   std::vector<MaskedPoint> world_;
   // The side with fewer points is looked up, point by point, in grids of the other side.

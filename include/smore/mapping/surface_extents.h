@@ -25,8 +25,7 @@ class SurfaceExtents {
   void addTouches();
   void growAll(Side side);
   void grow(Side side, int contact, int hypothesis);
-  std::vector<Eigen::Vector3f> tangents(const Vec3& normal, double stddev,
-                                        std::uint64_t seed) const;
+  std::vector<Eigen::Vector3f> tangents(const Eigen::Vector3f& normal, std::uint64_t seed) const;
   HypothesisMask contradictions(const Eigen::Vector3f& point);
 
   const WorldSamples& samples_;

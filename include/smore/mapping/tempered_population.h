@@ -11,7 +11,8 @@ namespace smore {
 /// A population of Gibbs chains that cools together (a sequential Monte Carlo sampler over
 /// temperatures, Del Moral et al. 2006). Chains that the next temperature makes more likely are
 /// continued more often. Contacts that must move together to a better explanation hardly ever do so
-/// one at a time; here the chains that happened on it take over.
+/// one at a time; here the chains that happened on it take over. Chains are swept on all processor
+/// cores; what comes out does not depend on how many there are.
 class TemperedPopulation {
  public:
   TemperedPopulation(const std::vector<ContactHypotheses>& contacts,
@@ -22,6 +23,9 @@ class TemperedPopulation {
 
  private:
   void resample(double heat_step, std::uint64_t seed);
+  /// Chain m is to be there `copies[m]` times: it stays where it is, and its further copies take
+  /// the places of chains that end, so that a small change of the evidence changes few chains.
+  void continueChains(std::vector<int> copies);
   void sweep(double heat, std::uint64_t seed);
 
   DistributionParameters parameters_;

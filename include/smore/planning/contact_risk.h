@@ -23,19 +23,29 @@ class ContactRisk {
   double along(const Path& path) const { return shareOf(touchingAlong(path)); }
 
   /// Probability that a motion along `path` ends at a contact: with what is known, or with matter
-  /// that nothing has touched yet. The latter comes at a rate for each cell of poses
-  /// (FreeSpaceParameters) that is entered for the first time; the rate is estimated from the
-  /// contacts and the free cells so far, with one contact in kPriorLength of motion to begin with
-  /// (docs/planning.md).
+  /// that nothing has touched yet. How far it goes without the latter follows from how far the
+  /// object has moved so far, in cells of poses (FreeSpaceParameters), at no scale of its own
+  /// (docs/planning.md, where it is compared with motions of the simulator).
   double ofMotion(const Path& path) const;
 
-  /// Mean length of a motion until something is touched, before anything is known: about as far as
-  /// a hand moves a held thing among others [m].
+  /// What the outcome of a motion along `path` will tell about the sampled worlds [nat]: the
+  /// entropy of where on it the first contact will be, if anywhere. A contact with matter that
+  /// nothing has touched yet may end it too, at any of the places of the object's surface.
+  double informationOf(const Path& path) const;
+
+  /// Mean length of a motion that is meant to touch until it does, before anything is known: about
+  /// as far as a hand moves a held thing among others [m].
   static constexpr double kPriorLength = 1.0;
 
   const SampledWorlds& worlds() const { return *worlds_; }
 
  private:
+  /// Contacts with matter that nothing has touched yet, for each cell of poses that is entered for
+  /// the first time, in motions that are meant to touch.
+  double surpriseRate() const;
+  /// Places on a held thing, as large as it may be, that contacts tell apart.
+  double patchesOfObject() const;
+
   const JointBelief* belief_;
   const SampledWorlds* worlds_;
   double check_distance_;

@@ -49,7 +49,4 @@ class CspaceMemory : public ContactObserver {
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;  ///< positions in poses_
 };
 
-/// Distance of two poses [m + rad] as the paper's C-space planner takes it.
-double cspaceDistance(const Pose& a, const Pose& b);
-
 }  // namespace smore

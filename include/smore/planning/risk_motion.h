@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "smore/mapping/sampled_worlds.h"
@@ -25,29 +27,41 @@ struct MotionCost {
   HypothesisMask touching = 0;  ///< worlds in which it touches
   /// For each world the length on which it touches [m].
   std::array<float, kHypotheses> touching_length{};
+
+  /// The cost of both motions, one after the other.
+  MotionCost& operator+=(const MotionCost& other);
 };
 
 /// Straight motions in the sampled worlds and the metric in which the search measures them.
 class RiskMotions {
  public:
-  /// `lever` [m]: what one radian counts. `worlds` is a view.
-  RiskMotions(const SampledWorlds& worlds, double lever);
+  /// `lever` [m]: what one radian counts. `worlds` is a view. Without `full_turns` no motion about
+  /// the map's z axis leads past half a turn from the map's axes.
+  RiskMotions(const SampledWorlds& worlds, double lever, bool full_turns = true);
 
   /// Square root of squared distance of the origins plus squared lever times angle.
   float squaredDistance(const RiskState& a, const RiskState& b) const;
   double distance(const RiskState& a, const RiskState& b) const;
 
-  /// Cost of a motion; its first pose is not looked at.
+  /// Cost of a motion; its first pose is not looked at. A forbidden turn has an infinite length.
   MotionCost cost(const RiskState& from, const RiskState& to) const;
+
+  /// The same, or nothing as soon as `hopeless` says so of a part of the cost: all of the length,
+  /// and the touching of some of its poses. It is asked a few times; costs only grow.
+  std::optional<MotionCost> costUnless(
+      const RiskState& from, const RiskState& to,
+      const std::function<bool(const MotionCost& part)>& hopeless) const;
 
   /// Whether no pose of it (but the first) touches in more than `limit` worlds.
   bool within(const RiskState& from, const RiskState& to, int limit) const;
 
  private:
   int steps(const RiskState& from, const RiskState& to) const;
+  bool turnsTooFar(const RiskState& from, const RiskState& to) const;
 
   const SampledWorlds* worlds_;
   float lever_;
+  bool full_turns_;
   double check_;  ///< distance of neighbouring checks [m]
 };
 

@@ -30,23 +30,24 @@ class RiskPath {
 
   const std::vector<RiskState>& states() const { return states_; }
   double value() const { return value_; }  ///< J, smaller is better
-  double risk() const { return shareOf(touching_); }
+  double risk() const { return shareOf(total_.touching); }
 
   /// Tries `attempts` random shortcuts, then as many random moves of inner states in `space`, each
   /// within `distance` [m]; what makes J smaller stays.
   void improve(const RiskSpace& space, int attempts, double distance, CounterRandom* random);
 
  private:
-  bool tryShortcut(CounterRandom* random);
-  bool tryMove(const RiskSpace& space, double distance, CounterRandom* random);
-  void evaluate();
-  double valueOf(const std::vector<MotionCost>& costs) const;
+  void tryShortcut(CounterRandom* random);
+  void tryMove(const RiskSpace& space, double distance, CounterRandom* random);
+  /// Puts `inner` between the states `first` and `last`, unless that makes J larger.
+  void replace(int first, int last, const std::vector<RiskState>& inner);
+  double valueOf(const MotionCost& total) const;
 
   const RiskMotions* motions_;
   RiskObjective objective_;
   std::vector<RiskState> states_;
   std::vector<MotionCost> costs_;  ///< of the motion to each state but the first
-  HypothesisMask touching_ = 0;
+  MotionCost total_;
   double value_ = 0.0;
 };
 

@@ -30,6 +30,8 @@ class RiskSpace {
                             CounterRandom* random) const;
 
   bool planar() const { return space_.motion == Motion::kPlanar; }
+  /// Whether turns have no end (MotionSpace); spatial ones have none.
+  bool fullTurns() const { return !planar() || space_.full_turns; }
   double lever() const { return lever_; }
 
  private:

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace smore {
+
+/// Counts how often each bit was set in the sets added: the counts lie in binary across words, one
+/// word of the first digits of 64 counts, one of their second digits and so on, so that one set is
+/// added in a few operations, however many bits it has. Up to 2^20 - 1 sets.
+template <std::size_t Words>
+class BitCounts {
+ public:
+  void add(const std::array<std::uint64_t, Words>& bits) {
+    for (std::size_t word = 0; word < Words; ++word) {
+      std::uint64_t carry = bits[word];
+      for (std::size_t digit = 0; carry != 0; ++digit) {
+        std::uint64_t& digits = digits_[digit][word];
+        const std::uint64_t next = digits & carry;
+        digits ^= carry;
+        carry = next;
+        if (digit == used_) ++used_;
+      }
+    }
+  }
+
+  int of(std::size_t bit) const {
+    int count = 0;
+    for (std::size_t digit = 0; digit < used_; ++digit) {
+      count |= static_cast<int>((digits_[digit][bit / 64] >> (bit % 64)) & 1U) << digit;
+    }
+    return count;
+  }
+
+ private:
+  static constexpr std::size_t kDigits = 20;
+  std::array<std::array<std::uint64_t, Words>, kDigits> digits_{};
+  std::size_t used_ = 0;  ///< digits that are not 0 for all counts
+};
+
+}  // namespace smore
