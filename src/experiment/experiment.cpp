@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "smore/experiment/in_process_robot.h"
+#include "smore/experiment/touchable_surface.h"
 #include "smore/mapping/octomap_export.h"
 #include "smore/retrieval/reconstruction.h"
 #include "smore/retrieval/retrieval.h"
@@ -30,8 +31,9 @@ ContactSensingParameters sensingParameters(const Scenario& scenario) {
   parameters.detector.contact_force = scenario.contact_force;
   parameters.detector.free_force = scenario.free_force;
   parameters.detector.release_force = 0.5 * scenario.contact_force;
-  parameters.line.force_stddev = scenario.wrench_noise.force_stddev;
-  parameters.line.torque_stddev = scenario.wrench_noise.torque_stddev;
+  parameters.noise.force_stddev = scenario.wrench_noise.force_stddev;
+  parameters.noise.torque_stddev = scenario.wrench_noise.torque_stddev;
+  parameters.noise.force_drift = scenario.wrench_noise.force_drift;
   parameters.line.added_direction_stddev = scenario.line_noise.direction;
   parameters.line.added_offset_stddev = scenario.line_noise.offset;
   return parameters;
@@ -54,23 +56,39 @@ void saveMaps(const TwinMap& maps, const ExperimentParameters& parameters, std::
 }
 
 RetrievalOutcome runTask(const Scenario& scenario, const ExperimentParameters& parameters,
-                         std::uint64_t seed, Robot* robot, Planner* planner,
-                         const std::atomic<bool>& interrupted,
+                         Robot* robot, const Method& method, const std::atomic<bool>& interrupted,
                          const Retrieval::ProgressCallback& on_progress) {
   if (scenario.task == Task::kReconstruct) {
-    RandomTouches touches(scenario.motionSpace(), seed);
-    return reconstruct(reconstructionParameters(scenario), robot, &touches, on_progress,
+    return reconstruct(reconstructionParameters(scenario), robot, method.touches.get(), on_progress,
                        [&interrupted] { return interrupted.load(); });
   }
   RetrievalParameters retrieval_parameters = retrievalParameters(scenario);
   retrieval_parameters.max_collisions = parameters.max_collisions;
   Retrieval* running = nullptr;
-  Retrieval retrieval(retrieval_parameters, robot, planner, [&](const RetrievalProgress& progress) {
-    if (interrupted) running->requestStop();
-    on_progress(progress);
-  });
+  Retrieval retrieval(retrieval_parameters, robot, method.planner.get(),
+                      [&](const RetrievalProgress& progress) {
+                        if (interrupted) running->requestStop();
+                        on_progress(progress);
+                      });
   running = &retrieval;
   return retrieval.run();
+}
+
+TouchScore touchFurther(const Scenario& scene, int touches, Robot* robot, const Method& method,
+                        const std::atomic<bool>& interrupted) {
+  ReconstructionParameters parameters = reconstructionParameters(scene);
+  parameters.touches = touches;
+  const RetrievalOutcome outcome = reconstruct(parameters, robot, method.touches.get(), {},
+                                               [&interrupted] { return interrupted.load(); });
+  const TouchableSurface surface = touchableSurface(scene);
+  TouchScore score;
+  score.touches = outcome.collisions;
+  score.reason = outcome.reason;
+  score.object_map = scoreMap(method.maps->object(), scene.object);
+  score.world_map = scoreMap(method.maps->world(), scene.environment);
+  score.object_surface_recall = surfaceRecall(method.maps->object(), surface.object);
+  score.world_surface_recall = surfaceRecall(method.maps->world(), surface.world);
+  return score;
 }
 
 }  // namespace
@@ -81,15 +99,18 @@ TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& param
   const auto begin = Clock::now();
   const Scenario scene = perturbScenario(scenario, seed);
   const auto simulated = makeSimulatedRobot(scene, seed);
-  Method method = makeMethod(parameters.method, scenario, seed);
+  Method method = makeMethod(parameters.method, scenario, seed, parameters.method_parameters);
+  if (parameters.random_touches) {
+    method.touches = std::make_unique<RandomTouches>(scenario.motionSpace(), seed);
+  }
   InProcessRobot robot(
       simulated.get(), sensingParameters(scene), seed,
       [&method](const ContactObservation& observation) { method.observe(observation); });
 
   ExperimentProgress news;
   news.seed = seed;
-  const RetrievalOutcome outcome = runTask(scene, parameters, seed, &robot, method.planner.get(),
-                                           interrupted, [&](const RetrievalProgress& progress) {
+  const RetrievalOutcome outcome = runTask(scene, parameters, &robot, method, interrupted,
+                                           [&](const RetrievalProgress& progress) {
                                              news.collisions = progress.collisions;
                                              news.plans = progress.plans;
                                              if (progress.phase != Phase::kFinished)
@@ -104,11 +125,16 @@ TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& param
   result.plans = outcome.plans;
   result.path_length = outcome.path_length;
   result.planning_s = outcome.planning_s;
+  result.motions = outcome.motions;
   result.mapping_s = robot.times().sensing_and_mapping;
   result.simulation_s = robot.times().simulation;
   result.simulated_s = simulated->time();
   result.object_map = scoreMap(method.maps->object(), scene.object);
   result.world_map = scoreMap(method.maps->world(), scene.environment);
+  if (parameters.touches_after_success > 0 && result.success && !interrupted) {
+    result.after_touches =
+        touchFurther(scene, parameters.touches_after_success, &robot, method, interrupted);
+  }
   if (!parameters.maps_directory.empty() && !interrupted) {
     saveMaps(*method.maps, parameters, seed);
   }

@@ -22,20 +22,44 @@ Json scoreJson(const MapScore& score, bool with_distances) {
   return json;
 }
 
+Json surfaceJson(const MapScore& score, const std::optional<double>& surface_recall) {
+  Json json = scoreJson(score, false);
+  json["surface_recall"] = orNull(surface_recall);
+  return json;
+}
+
+Json touchesJson(const TouchScore& score) {
+  return {{"touches", score.touches},
+          {"reason", score.reason},
+          {"object_map", surfaceJson(score.object_map, score.object_surface_recall)},
+          {"world_map", surfaceJson(score.world_map, score.world_surface_recall)}};
+}
+
+Json motionsJson(const std::vector<PlannedMotion>& motions) {
+  Json list = Json::array();
+  for (const PlannedMotion& motion : motions) {
+    list.push_back({{"risk", motion.risk}, {"touched", motion.touched}});
+  }
+  return list;
+}
+
 Json trialJson(const TrialResult& trial, bool with_distances) {
-  return {{"seed", trial.seed},
-          {"success", trial.success},
-          {"reason", trial.reason},
-          {"collisions", trial.collisions},
-          {"plans", trial.plans},
-          {"path_length", trial.path_length},
-          {"wall_s", trial.wall_s},
-          {"planning_s", trial.planning_s},
-          {"mapping_s", trial.mapping_s},
-          {"simulation_s", trial.simulation_s},
-          {"simulated_s", trial.simulated_s},
-          {"object_map", scoreJson(trial.object_map, with_distances)},
-          {"world_map", scoreJson(trial.world_map, with_distances)}};
+  Json json{{"seed", trial.seed},
+            {"success", trial.success},
+            {"reason", trial.reason},
+            {"collisions", trial.collisions},
+            {"plans", trial.plans},
+            {"path_length", trial.path_length},
+            {"wall_s", trial.wall_s},
+            {"planning_s", trial.planning_s},
+            {"mapping_s", trial.mapping_s},
+            {"simulation_s", trial.simulation_s},
+            {"simulated_s", trial.simulated_s},
+            {"motions", motionsJson(trial.motions)},
+            {"object_map", scoreJson(trial.object_map, with_distances)},
+            {"world_map", scoreJson(trial.world_map, with_distances)}};
+  if (trial.after_touches) json["after_touches"] = touchesJson(*trial.after_touches);
+  return json;
 }
 
 std::optional<double> meanOf(const std::vector<double>& values) {
@@ -76,6 +100,17 @@ Json summaryJson(const std::vector<TrialResult>& trials) {
             {"stddev", orNull(sampleStddev(collisions))}}}};
 }
 
+Json parametersJson(MethodParameters parameters) {
+  Json json = Json::object();
+  for (const ParameterSection& section : parameterSections(&parameters)) {
+    Json& values = json[section.name] = Json::object();
+    for (const ParameterField& field : section.fields) {
+      std::visit([&](const auto* value) { values[field.key] = *value; }, field.value);
+    }
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string toJson(const Scenario& scenario, const ExperimentParameters& parameters,
@@ -83,11 +118,14 @@ std::string toJson(const Scenario& scenario, const ExperimentParameters& paramet
   const bool with_distances = scenario.task == Task::kReconstruct;
   Json list = Json::array();
   for (const TrialResult& trial : trials) list.push_back(trialJson(trial, with_distances));
-  const Json json{{"scenario", scenario.name},
-                  {"method", methodName(parameters.method)},
-                  {"seed", parameters.seed},
-                  {"trials", list},
-                  {"summary", summaryJson(trials)}};
+  Json json{{"scenario", scenario.name},
+            {"method", methodName(parameters.method)},
+            {"seed", parameters.seed},
+            {"trials", list},
+            {"summary", summaryJson(trials)}};
+  if (parameters.method == MethodKind::kSmore) {
+    json["parameters"] = parametersJson(parameters.method_parameters);
+  }
   return json.dump(2);
 }
 

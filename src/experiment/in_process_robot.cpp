@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -17,7 +18,7 @@ double secondsSince(Clock::time_point begin) {
 
 constexpr double kSettleDeadline = 2.0;  // simulated [s]; a contact settles in a tenth of it
 constexpr double kTareDeadline = 60.0;   // simulated [s]
-constexpr double kTrailSpacing = 0.002;  // [m + rad] between the poses that a retreat retraces
+constexpr int kMostStretches = 20;       // of a retreat, while something still touches
 
 MotionResult fault(const std::string& reason) {
   MotionResult result;
@@ -45,39 +46,46 @@ InProcessRobot::InProcessRobot(SimulatedRobot* robot, const ContactSensingParame
 MotionResult InProcessRobot::follow(const Path& path) {
   MotionResult result;
   const int known_contacts = advance(true).contact_id;
-  robot_->follow(path);
+  if (const auto failure = robot_->follow(path)) {
+    result.end = MotionEnd::kUnreachable;
+    result.reason = failure->reason;
+    return result;
+  }
   while (robot_->moving()) {
     const Pose before = robot_->pose();
     const ContactObservation observation = advance(true);
     result.length += distanceBetween(before, robot_->pose());
-    recordTrail();
+    trail_.record(robot_->pose());
     if (observation.contact_id == known_contacts) continue;
     robot_->stop();
     settleInContact(observation);
     result.end = MotionEnd::kContact;
     return result;
   }
-  result.end = MotionEnd::kReached;
+  if (const auto stopped = robot_->fault()) {
+    result.end = MotionEnd::kFault;
+    result.reason = stopped->reason;
+  }
   return result;
 }
 
 MotionResult InProcessRobot::retreat(double distance) {
-  Path back;
-  double travelled = 0.0;
-  while (!trail_.empty() && travelled < distance) {
-    const Pose& next = trail_.back();
-    const Pose& last = back.empty() ? robot_->pose() : back.back();
-    travelled += distanceBetween(last, next) + angleBetween(last, next);
-    back.push_back(next);
-    trail_.pop_back();
+  for (int stretch = 0; stretch < kMostStretches; ++stretch) {
+    const Path back = trail_.wayBack(robot_->pose(), distance);
+    if (const auto failure = robot_->follow(back)) return fault(failure->reason);
+    while (robot_->moving()) {
+      advance(true);
+      trail_.unwind(robot_->pose());
+    }
+    if (const auto stopped = robot_->fault()) return fault(stopped->reason);
+    if (waitUntilFree()) return {};
+    if (back.empty()) break;
   }
-  robot_->follow(back);
-  while (robot_->moving()) advance(false);
-  if (!waitUntilFree()) return fault("still in contact after the retreat");
-  return {};
+  return fault("still in contact after the retreat");
 }
 
 MotionResult InProcessRobot::reset(const Pose& start) {
+  if (!robot_->canBePlaced()) return retreat(std::numeric_limits<double>::infinity());
   robot_->place(start);
   trail_.clear();
   if (!waitUntilFree()) return fault("the sensor feels a force at the start pose");
@@ -111,15 +119,6 @@ bool InProcessRobot::waitUntilFree() {
     if (advance(true).state == ContactState::kFree) return true;
   }
   return false;
-}
-
-void InProcessRobot::recordTrail() {
-  const Pose pose = robot_->pose();
-  if (!trail_.empty() &&
-      distanceBetween(trail_.back(), pose) + angleBetween(trail_.back(), pose) < kTrailSpacing) {
-    return;
-  }
-  trail_.push_back(pose);
 }
 
 }  // namespace smore

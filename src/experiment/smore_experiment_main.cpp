@@ -11,7 +11,7 @@
 #include "smore/common/result.h"
 #include "smore/experiment/experiment.h"
 #include "smore/experiment/progress_display.h"
-#include "smore/simulation/scene_check.h"
+#include "smore/simulation/simulated_robot.h"
 
 namespace {
 
@@ -27,6 +27,7 @@ void onInterrupt(int /*signal*/) { interrupted = true; }
 struct Arguments {
   std::string scenario;
   std::string method = "smore";
+  std::string method_parameters;
   std::string output;
   bool validate = false;
   smore::ExperimentParameters parameters;
@@ -39,6 +40,8 @@ void declare(CLI::App* app, Arguments* arguments) {
   app->add_option("--method", arguments->method, "how to map and plan")
       ->check(CLI::IsMember({"paper", "cspace", "smore"}))
       ->capture_default_str();
+  app->add_option("--parameters", arguments->method_parameters,
+                  "file (YAML) that changes parameters of the method smore");
   app->add_option("--trials", parameters.trials, "number of trials")
       ->check(count)
       ->capture_default_str();
@@ -49,6 +52,12 @@ void declare(CLI::App* app, Arguments* arguments) {
   app->add_option("--max-collisions", parameters.max_collisions, "a trial gives up at so many")
       ->check(count)
       ->capture_default_str();
+  app->add_option("--touches-after-success", parameters.touches_after_success,
+                  "further touches for the maps once the object is out (planar motion only)")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  app->add_flag("--random-touches", parameters.random_touches,
+                "touch at random where the method would choose; for comparison");
   app->add_option("--output", arguments->output, "result file (JSON) instead of standard output");
   app->add_option("--maps", parameters.maps_directory, "directory for each trial's octrees");
   app->add_flag("--validate", arguments->validate, "only check the scenario");
@@ -65,9 +74,13 @@ bool write(const std::string& json, const std::string& file) {
   return stream.good();
 }
 
-int run(const Arguments& arguments) {
+int run(Arguments arguments) {
   const smore::Scenario scenario = smore::loadScenario(arguments.scenario);
-  smore::checkStartAndGoalFree(scenario);
+  if (!arguments.method_parameters.empty()) {
+    arguments.parameters.method_parameters =
+        smore::loadMethodParameters(arguments.method_parameters);
+  }
+  (void)smore::makeSimulatedRobot(scenario, arguments.parameters.seed);  // refuses what cannot be
   if (arguments.validate) {
     std::cerr << arguments.scenario << ": valid" << std::endl;
     return 0;
@@ -99,6 +112,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     arguments.parameters.method = smore::methodKind(arguments.method);
+    if (!arguments.method_parameters.empty() && arguments.method != "smore") {
+      throw CLI::ValidationError("--parameters", "only the method smore takes them");
+    }
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     std::cerr << error.what() << "; --help lists the options" << std::endl;
@@ -107,7 +123,7 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
   try {
-    return run(arguments);
+    return run(std::move(arguments));
   } catch (const smore::InputError& error) {
     std::cerr << error.what() << std::endl;
     return kBadInput;

@@ -10,6 +10,7 @@
 #include "smore/planning/cspace_planner.h"
 #include "smore/planning/map_planner.h"
 #include "smore/planning/risk_planner.h"
+#include "smore/retrieval/informed_touches.h"
 
 namespace smore {
 namespace {
@@ -27,8 +28,8 @@ std::unique_ptr<TwinMap> makeSequentialBelief(const Scenario& scenario) {
   return std::make_unique<SequentialBelief>(parameters);
 }
 
-std::unique_ptr<JointBelief> makeJointBelief(const Scenario& scenario, std::uint64_t seed) {
-  JointBeliefParameters parameters;
+std::unique_ptr<JointBelief> makeJointBelief(const Scenario& scenario, std::uint64_t seed,
+                                             JointBeliefParameters parameters) {
   parameters.voxel_size = scenario.voxel_size;
   if (scenario.motion == Motion::kPlanar) parameters.T_world_plane = scenario.start;
   parameters.seed = seed;
@@ -49,6 +50,7 @@ Method makePaper(const Scenario& scenario, std::uint64_t seed) {
   parameters.path = pathParameters(scenario);
   method.planner = std::make_unique<MapPlanner>(*method.maps, scenario.motionSpace(), parameters,
                                                 plannerSeed(seed));
+  method.touches = std::make_unique<RandomTouches>(scenario.motionSpace(), seed);
   return method;
 }
 
@@ -59,14 +61,17 @@ Method makeCspace(const Scenario& scenario, std::uint64_t seed) {
   method.planner = std::make_unique<CspacePlanner>(*memory, scenario.motionSpace(),
                                                    pathParameters(scenario), plannerSeed(seed));
   method.memory = std::move(memory);
+  method.touches = std::make_unique<RandomTouches>(scenario.motionSpace(), seed);
   return method;
 }
 
-Method makeSmore(const Scenario& scenario, std::uint64_t seed) {
+Method makeSmore(const Scenario& scenario, std::uint64_t seed, const MethodParameters& parameters) {
   Method method;
-  auto belief = makeJointBelief(scenario, seed);
+  auto belief = makeJointBelief(scenario, seed, parameters.belief);
   method.planner =
-      std::make_unique<RiskPlanner>(*belief, scenario.motionSpace(), RiskPlannerParameters{}, seed);
+      std::make_unique<RiskPlanner>(*belief, scenario.motionSpace(), parameters.planner, seed);
+  method.touches = std::make_unique<InformedTouches>(*belief, scenario.motionSpace(),
+                                                     InformedTouchParameters{}, seed);
   method.maps = std::move(belief);
   return method;
 }
@@ -94,18 +99,19 @@ std::string methodName(MethodKind kind) {
 
 std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario,
                                      std::uint64_t seed) {
-  if (kind == MethodKind::kSmore) return makeJointBelief(scenario, seed);
+  if (kind == MethodKind::kSmore) return makeJointBelief(scenario, seed, {});
   return makeSequentialBelief(scenario);
 }
 
-Method makeMethod(MethodKind kind, const Scenario& scenario, std::uint64_t seed) {
+Method makeMethod(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
+                  const MethodParameters& parameters) {
   switch (kind) {
     case MethodKind::kPaper:
       return makePaper(scenario, seed);
     case MethodKind::kCspace:
       return makeCspace(scenario, seed);
     case MethodKind::kSmore:
-      return makeSmore(scenario, seed);
+      return makeSmore(scenario, seed, parameters);
   }
   throw InputError("unknown method");
 }

@@ -108,6 +108,10 @@ bool Retrieval::execute(const Plan& plan) {
   enter(Phase::kMoving);
   const MotionResult motion = robot_->follow(plan.path);
   outcome_.path_length = motion.length;
+  refused_ = motion.end == MotionEnd::kUnreachable ? refused_ + 1 : 0;
+  if (motion.end == MotionEnd::kReached || motion.end == MotionEnd::kContact) {
+    outcome_.motions.push_back({plan.risk, motion.end == MotionEnd::kContact});
+  }
   switch (motion.end) {
     case MotionEnd::kReached:
       return atGoal() && finish(true, "the object is at the goal");
@@ -118,7 +122,8 @@ bool Retrieval::execute(const Plan& plan) {
                                  " collisions");
       }
       return recover();
-    case MotionEnd::kUnreachable:
+    case MotionEnd::kUnreachable:  // nothing moved: another plan may be within the robot's reach
+      return refused_ >= parameters_.max_failed_plans && finish(false, motion.reason);
     case MotionEnd::kFault:
     case MotionEnd::kStopped:
       return finish(false, motion.reason);
@@ -129,8 +134,7 @@ bool Retrieval::execute(const Plan& plan) {
 bool Retrieval::recover() {
   // Touching twice at one place means that backing off does not lead away from it.
   const Pose contact_pose = robot_->pose();
-  const double moved = distanceBetween(contact_pose, last_contact_pose_) +
-                       angleBetween(contact_pose, last_contact_pose_);
+  const double moved = gapBetween(contact_pose, last_contact_pose_);
   const bool repeated = progress_.collisions > 1 && moved < parameters_.retreat_distance;
   last_contact_pose_ = contact_pose;
   const bool reset = parameters_.on_contact == OnContact::kReset || repeated;

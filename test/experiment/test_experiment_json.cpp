@@ -42,6 +42,26 @@ TEST(ToJson, holdsEachTrialAndTheStatistics) {
   EXPECT_NEAR(collisions["stddev"], std::sqrt(13.0), 1e-12);
 }
 
+TEST(ToJson, pairsTheRiskOfEachMotionWithItsEnd) {
+  TrialResult trial = trialWith(1, true, 1);
+  trial.motions = {{0.75, true}, {0.25, false}};
+  const auto motions = jsonOf({trial})["trials"][0]["motions"];
+  ASSERT_EQ(motions.size(), 2u);
+  EXPECT_EQ(motions[0]["risk"], 0.75);
+  EXPECT_EQ(motions[0]["touched"], true);
+  EXPECT_EQ(motions[1]["touched"], false);
+}
+
+TEST(ToJson, recordsTheParametersOfTheMethod) {
+  ExperimentParameters parameters;
+  parameters.method_parameters.belief.feature.radius = 0.0125;
+  const auto smore = nlohmann::json::parse(toJson(Scenario{}, parameters, {}));
+  EXPECT_EQ(smore["parameters"]["belief"]["radius"], 0.0125);
+  EXPECT_EQ(smore["parameters"]["planner"]["paths"], RiskPlannerParameters{}.paths);
+  parameters.method = MethodKind::kPaper;
+  EXPECT_FALSE(nlohmann::json::parse(toJson(Scenario{}, parameters, {})).contains("parameters"));
+}
+
 TEST(ToJson, givesNullWhereThereIsNothingToDivideBy) {
   const auto none = jsonOf({});
   EXPECT_TRUE(none["summary"]["success_rate"].is_null());

@@ -32,6 +32,10 @@ expect 2 "tusk: unknown key" --scenario "$directory/bad.yaml"
 sed 's/start: {position: \[0, 0, 0\]/start: {position: [0.15, 0, 0]/' "$reference" >"$directory/touching.yaml"
 expect 2 "start" --scenario "$directory/touching.yaml" --validate
 expect 0 "valid" --scenario "$reference" --validate
+echo 'belief: {radios: 0.02}' >"$directory/parameters.yaml"
+expect 2 "belief.radios: unknown key" --scenario "$reference" --parameters "$directory/parameters.yaml"
+expect 2 "only the method smore" --scenario "$reference" --method paper \
+  --parameters "$directory/parameters.yaml"
 expect 1 "cannot be written" --scenario "$reference" --output /nowhere/result.json
 expect 0 "limit of 2 collisions" --scenario "$reference" --method paper --max-collisions 2 \
   --output "$directory/result.json" --maps "$directory/maps"

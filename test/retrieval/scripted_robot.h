@@ -25,6 +25,7 @@ class ScriptedRobot : public Robot {
       result = script.front();
       script.pop_front();
     }
+    if (result.end == MotionEnd::kUnreachable) return result;
     result.length = pathLength(path);
     // A contact stops it half way along the first segment.
     pose_ = result.end == MotionEnd::kReached ? path.back() : interpolate(path[0], path[1], 0.5);

@@ -34,9 +34,9 @@ TEST(RandomTouches, stayInTheMotionSpaceAndRepeatForASeed) {
     RandomTouches first(space(motion), 3);
     RandomTouches second(space(motion), 3);
     for (int i = 0; i < 200; ++i) {
-      const Path path = first.nextTouch(Pose::Identity());
+      const Path path = *first.nextTouch(Pose::Identity());
       EXPECT_TRUE(space(motion).contains(path.back()));
-      EXPECT_TRUE(path.back().isApprox(second.nextTouch(Pose::Identity()).back()));
+      EXPECT_TRUE(path.back().isApprox(second.nextTouch(Pose::Identity())->back()));
     }
   }
 }

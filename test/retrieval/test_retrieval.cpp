@@ -75,6 +75,10 @@ TEST_F(RetrievalTest, resetsToTheStartAfterEachContact) {
   const RetrievalOutcome outcome = run(parameters());
   EXPECT_TRUE(outcome.success);
   EXPECT_EQ(outcome.collisions, 2);
+  ASSERT_EQ(outcome.motions.size(), 3u);
+  EXPECT_TRUE(outcome.motions[1].touched);
+  EXPECT_FALSE(outcome.motions[2].touched);
+  EXPECT_EQ(outcome.motions[2].risk, 0.25);
   EXPECT_EQ(robot_.calls,
             (std::vector<std::string>{"follow", "reset", "follow", "reset", "follow"}));
 }
@@ -132,6 +136,31 @@ TEST_F(RetrievalTest, endsWithTheReasonOfAFault) {
   EXPECT_FALSE(outcome.success);
   EXPECT_EQ(outcome.reason, "the sensor is silent");
   EXPECT_EQ(outcome.collisions, 1);
+}
+
+MotionResult refusal() {
+  MotionResult result;
+  result.end = MotionEnd::kUnreachable;
+  result.reason = "pose 2 of 3 is out of reach";
+  return result;
+}
+
+TEST_F(RetrievalTest, plansAnewWhereTheRobotCannotFollow) {
+  robot_.script = {refusal(), refusal()};
+  const RetrievalOutcome outcome = run(parameters());
+  EXPECT_TRUE(outcome.success);
+  EXPECT_EQ(outcome.plans, 3);
+  EXPECT_EQ(outcome.collisions, 0);
+}
+
+TEST_F(RetrievalTest, givesUpWithTheReasonWhenTheRobotRefusesEveryPlan) {
+  RetrievalParameters few = parameters();
+  few.max_failed_plans = 3;
+  robot_.script = {refusal(), refusal(), refusal(), refusal()};
+  const RetrievalOutcome outcome = run(few);
+  EXPECT_FALSE(outcome.success);
+  EXPECT_EQ(outcome.plans, 3);
+  EXPECT_EQ(outcome.reason, "pose 2 of 3 is out of reach");
 }
 
 TEST_F(RetrievalTest, endsWhenItCannotBackOff) {

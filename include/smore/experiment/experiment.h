@@ -4,22 +4,38 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "smore/experiment/map_score.h"
 #include "smore/retrieval/method.h"
+#include "smore/retrieval/retrieval.h"
 #include "smore/scenario/scenario.h"
 
 namespace smore {
 
 struct ExperimentParameters {
   MethodKind method = MethodKind::kSmore;
-  int trials = 1;          ///< at least 1
-  std::uint64_t seed = 1;  ///< trial i (from 1) uses seed + i - 1
-  int jobs = 1;            ///< trials at a time, at least 1; the results do not depend on it
+  MethodParameters method_parameters;  ///< of the method smore
+  int trials = 1;                      ///< at least 1
+  std::uint64_t seed = 1;              ///< trial i (from 1) uses seed + i - 1
+  int jobs = 1;  ///< trials at a time, at least 1; the results do not depend on it
   int max_collisions = 2000;
-  std::string maps_directory;  ///< where each trial's maps are saved; empty: they are not
+  int touches_after_success = 0;  ///< further touches for the sake of the maps, not negative
+  bool random_touches = false;    ///< touch at random, whatever the method knows better
+  std::string maps_directory;     ///< where each trial's maps are saved; empty: they are not
+};
+
+/// The maps after further touches.
+struct TouchScore {
+  int touches = 0;
+  std::string reason;  ///< why it ended
+  MapScore object_map;
+  MapScore world_map;
+  /// Share of the touchable surface that the maps know (surfaceRecall); nothing where none is.
+  std::optional<double> object_surface_recall;
+  std::optional<double> world_surface_recall;
 };
 
 struct TrialResult {
@@ -33,9 +49,11 @@ struct TrialResult {
   double planning_s = 0.0;
   double mapping_s = 0.0;  ///< contact sensing included
   double simulation_s = 0.0;
-  double simulated_s = 0.0;  ///< time that passed in the simulation
+  double simulated_s = 0.0;            ///< time that passed in the simulation
+  std::vector<PlannedMotion> motions;  ///< of the task retrieve, in their order
   MapScore object_map;
   MapScore world_map;
+  std::optional<TouchScore> after_touches;  ///< with touches_after_success only
 };
 
 /// What an experiment tells while it runs; called from the trials' threads, one at a time.

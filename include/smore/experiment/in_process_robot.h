@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "smore/common/robot.h"
+#include "smore/common/trail.h"
 #include "smore/contact/contact_sensing.h"
 #include "smore/simulation/simulated_robot.h"
 
@@ -22,8 +23,8 @@ class InProcessRobot : public Robot {
   using ObservationCallback = std::function<void(const ContactObservation&)>;
 
   /// Tares at the present pose; std::runtime_error if the sensor does not settle. `robot` must
-  /// outlive this. `on_observation` gets each observation but those made
-  /// while the robot moves back along its way.
+  /// outlive this. `on_observation` gets each observation made while the robot moves and while a
+  /// contact is measured.
   InProcessRobot(SimulatedRobot* robot, const ContactSensingParameters& sensing, std::uint64_t seed,
                  ObservationCallback on_observation);
 
@@ -41,13 +42,12 @@ class InProcessRobot : public Robot {
   void settleInContact(ContactObservation observation);
   /// Stands still until the sensor says free; false if it does not within a deadline.
   bool waitUntilFree();
-  void recordTrail();
 
   SimulatedRobot* robot_;
   ContactSensing sensing_;
   ObservationCallback on_observation_;
   LoopTimes times_;
-  Path trail_;  ///< way from the last reset to here
+  Trail trail_;  ///< since the last reset
 };
 
 }  // namespace smore

@@ -7,6 +7,8 @@
 
 #include "smore/mapping/twin_map.h"
 #include "smore/planning/planner.h"
+#include "smore/retrieval/method_parameters.h"
+#include "smore/retrieval/touch_planner.h"
 #include "smore/scenario/scenario.h"
 
 namespace smore {
@@ -25,7 +27,8 @@ std::string methodName(MethodKind kind);
 struct Method {
   std::unique_ptr<TwinMap> maps;            ///< empty for ever where `memory` learns instead
   std::unique_ptr<ContactObserver> memory;  ///< what learns instead of the maps; null if they do
-  std::unique_ptr<Planner> planner;         ///< refers to the other two
+  std::unique_ptr<Planner> planner;         ///< refers to what learns
+  std::unique_ptr<TouchPlanner> touches;    ///< the same; for when maps are wanted, not a goal
 
   /// Hands an observation to what learns.
   void observe(const ContactObservation& observation) {
@@ -37,7 +40,8 @@ struct Method {
 /// the sensor's declared noise; never the shapes.
 std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario, std::uint64_t seed);
 
-/// A whole method; `seed` makes its random choices repeatable.
-Method makeMethod(MethodKind kind, const Scenario& scenario, std::uint64_t seed);
+/// A whole method; `seed` makes its random choices repeatable. Only smore uses `parameters`.
+Method makeMethod(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
+                  const MethodParameters& parameters = {});
 
 }  // namespace smore

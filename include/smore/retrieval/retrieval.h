@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "smore/common/robot.h"
 #include "smore/planning/planner.h"
@@ -19,7 +20,9 @@ struct RetrievalParameters {
   OnContact on_contact = OnContact::kReset;
   double retreat_distance = 0.05;  ///< how far to back off after a contact [m + rad], positive
   int max_collisions = 2000;       ///< gives up at so many, at least 1
-  int max_failed_plans = 20;       ///< gives up after so many in a row without a path, at least 1
+  /// Gives up after so many plans in a row without a path, or with one that the robot refuses; at
+  /// least 1.
+  int max_failed_plans = 20;
 };
 
 /// The parameters that the scenario fixes; the others keep their defaults.
@@ -37,6 +40,12 @@ struct RetrievalProgress {
   double risk = 0.0;  ///< of the present plan, in [0, 1]
 };
 
+/// A planned motion that was made to its end or to a contact.
+struct PlannedMotion {
+  double risk = 0.0;     ///< probability of a contact that the planner stated, in [0, 1]
+  bool touched = false;  ///< whether a contact ended it
+};
+
 struct RetrievalOutcome {
   bool success = false;
   std::string reason;  ///< why it ended, in words for the user
@@ -45,6 +54,7 @@ struct RetrievalOutcome {
   double path_length = 0.0;  ///< executed in the last attempt [m]
   double planning_s = 0.0;   ///< wall time [s]
   Path path;  ///< last planned path, from start to goal; empty if none was ever found
+  std::vector<PlannedMotion> motions;  ///< in the order in which they were made
 };
 
 /// The loop: plan, move, stop at contact, learn, and again (paper, section III-C). It knows nothing
@@ -81,6 +91,7 @@ class Retrieval {
   ProgressCallback on_progress_;
   RetrievalProgress progress_;
   RetrievalOutcome outcome_;
+  int refused_ = 0;  ///< paths in a row that the robot could not follow
   Pose last_contact_pose_ = Pose::Identity();
   std::atomic<bool> stop_requested_{false};
 };

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "smore/common/parameters.h"
+#include "smore/mapping/joint_belief.h"
+#include "smore/planning/risk_planner.h"
+
+namespace smore {
+
+/// What the method smore may be told. What a scenario states (voxel size, plane of motion) and the
+/// seed are set by makeMethod.
+struct MethodParameters {
+  JointBeliefParameters belief;
+  RiskPlannerParameters planner;
+};
+
+/// One parameter: its key, where its value lies, and its valid range.
+struct ParameterField {
+  std::string key;
+  std::variant<double*, int*> value;
+  Range range;
+};
+
+/// Fields that belong together in a file.
+struct ParameterSection {
+  std::string name;
+  std::vector<ParameterField> fields;
+};
+
+/// All that a parameter file may set, views into `parameters`: the one list that files are read by
+/// and that results record (docs/experiments.md).
+std::vector<ParameterSection> parameterSections(MethodParameters* parameters);
+
+/// The defaults, changed by what a YAML file sets. InputError with all problems of the file:
+/// unknown keys, wrong types, values out of range.
+MethodParameters loadMethodParameters(const std::string& file);
+
+}  // namespace smore

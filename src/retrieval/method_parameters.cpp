@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/retrieval/method_parameters.h"
+
+#include "smore/common/result.h"
+
+namespace smore {
+namespace {
+
+constexpr Range kLength{1e-4, 10.0};    // [m]
+constexpr Range kExtent{0.0, 10.0};     // [m]; 0: none
+constexpr Range kAngle{1e-4, 3.0};      // [rad]
+constexpr Range kWeight{0.01, 1e3};     // the sampler's arithmetic needs no less (gibbs_chain.cpp)
+constexpr Range kStrength{0.0, 100.0};  // 0: off
+constexpr Range kShare{1e-6, 0.999};
+constexpr Range kSteps{1, 1000};
+constexpr Range kSweeps{0, 1000};
+constexpr Range kContacts{10, 1e5};
+constexpr Range kCount{1, 1e6};
+constexpr Range kTries{0, 1e6};
+
+ParameterSection beliefSection(JointBeliefParameters* belief) {
+  FeatureParameters& feature = belief->feature;
+  DistributionParameters& distribution = belief->distribution;
+  return {"belief",
+          {{"radius", &feature.radius, kLength},
+           {"tolerance", &feature.tolerance, kExtent},
+           {"reach", &feature.reach, kLength},
+           {"decay", &feature.decay, kLength},
+           {"position_cell", &belief->free_space.position_cell, kLength},
+           {"angle_cell", &belief->free_space.angle_cell, kAngle},
+           {"object_attraction_scale", &distribution.object.scale, kLength},
+           {"object_attraction_base", &distribution.object.base, kWeight},
+           {"world_attraction_scale", &distribution.world.scale, kLength},
+           {"world_attraction_base", &distribution.world.base, kWeight},
+           {"attraction_exponent", &distribution.exponent, kStrength},
+           {"conflict_cost", &distribution.conflict_cost, kStrength},
+           {"false_contact", &distribution.false_contact, kShare},
+           {"temperatures", &distribution.temperatures, kSteps},
+           {"sweeps", &distribution.sweeps, kSweeps},
+           {"most_contacts", &belief->most_contacts, kContacts},
+           {"object_length", &belief->extent.object_length, kExtent},
+           {"world_length", &belief->extent.world_length, kExtent}}};
+}
+
+ParameterSection plannerSection(RiskPlannerParameters* planner) {
+  return {"planner",
+          {{"iterations", &planner->iterations, kCount},
+           {"paths", &planner->paths, kCount},
+           {"improvements", &planner->improvements, kTries},
+           {"step", &planner->step, kLength},
+           {"lever", &planner->lever, kLength},
+           {"touch_cost", &planner->objective.touch_cost, kStrength},
+           {"give", &planner->objective.give, kLength}}};
+}
+
+void read(const ParameterField& field, ParameterReader* reader) {
+  if (!reader->has(field.key)) return;
+  if (const auto* number = std::get_if<double*>(&field.value)) {
+    reader->number(field.key, *number, field.range);
+  } else {
+    reader->integer(field.key, std::get<int*>(field.value), static_cast<int>(field.range.min),
+                    static_cast<int>(field.range.max));
+  }
+}
+
+}  // namespace
+
+std::vector<ParameterSection> parameterSections(MethodParameters* parameters) {
+  return {beliefSection(&parameters->belief), plannerSection(&parameters->planner)};
+}
+
+MethodParameters loadMethodParameters(const std::string& file) {
+  MethodParameters parameters;
+  ParameterReader reader(loadYaml(file), file);
+  for (const ParameterSection& section : parameterSections(&parameters)) {
+    if (!reader.has(section.name)) continue;
+    ParameterReader nested = reader.nested(section.name);
+    for (const ParameterField& field : section.fields) read(field, &nested);
+    nested.finishNested();
+  }
+  reader.finish();
+  const FeatureParameters& feature = parameters.belief.feature;
+  if (feature.conflictDistance() <= 0.0) {
+    throw InputError(file + ": belief.tolerance: must be below twice belief.radius");
+  }
+  return parameters;
+}
+
+}  // namespace smore

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/retrieval/touch_planner.h"
+
+#include <cmath>
+
+namespace smore {
+namespace {
+
+Vec3 uniformIn(const Bounds& bounds, std::mt19937_64* random) {
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  Vec3 point;
+  for (int i = 0; i < 3; ++i) {
+    point[i] = bounds.min[i] + unit(*random) * (bounds.max[i] - bounds.min[i]);
+  }
+  return point;
+}
+
+Eigen::Quaterniond uniformRotation(std::mt19937_64* random) {
+  std::normal_distribution<double> normal;
+  // A normalised Gaussian 4-vector is uniform on the sphere of unit quaternions.
+  Eigen::Quaterniond rotation(normal(*random), normal(*random), normal(*random), normal(*random));
+  return rotation.normalized();
+}
+
+}  // namespace
+
+RandomTouches::RandomTouches(const MotionSpace& space, std::uint64_t seed)
+    : space_(space), random_(seed) {}
+
+Result<Path> RandomTouches::nextTouch(const Pose& from) {
+  Pose goal = Pose::Identity();
+  const Vec3 point = uniformIn(space_.workspace, &random_);
+  if (space_.motion == Motion::kSpatial) {
+    goal.linear() = uniformRotation(&random_).toRotationMatrix();
+    goal.translation() = point;
+  } else {
+    Vec3 in_plane = space_.T_world_plane.inverse() * point;
+    in_plane.z() = 0.0;
+    std::uniform_real_distribution<double> turn(-M_PI, M_PI);
+    goal = space_.T_world_plane * makePose(in_plane, Vec3(0.0, 0.0, turn(random_)));
+  }
+  return Path{from, goal};
+}
+
+}  // namespace smore

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "smore/experiment/in_process_robot.h"
+#include "smore/scenario/scenario.h"
+#include "smore/simulation/simulated_robot.h"
+
+namespace smore {
+namespace {
+
+// A peg between two prongs, with 5 mm of play on each side.
+Scenario fork() {
+  Scenario scenario;
+  scenario.name = "fork";
+  scenario.object = {{BoxShape{Vec3(0.3, 0.06, 0.06)}, makePose(Vec3(0, 0.065, 0))},
+                     {BoxShape{Vec3(0.3, 0.06, 0.06)}, makePose(Vec3(0, -0.065, 0))}};
+  scenario.environment = {{CylinderShape{0.03, 0.3}, makePose(Vec3(0.05, 0.0, 0.0))}};
+  scenario.goal = makePose(Vec3(-0.4, 0, 0));
+  scenario.workspace = {Vec3(-0.6, -0.4, -0.01), Vec3(0.2, 0.4, 0.01)};
+  return scenario;
+}
+
+class InProcessRobotTest : public ::testing::Test {
+ protected:
+  Scenario scenario_ = fork();
+  std::unique_ptr<SimulatedRobot> simulated_ = makeSimulatedRobot(scenario_, 1);
+  ContactObservation newest_;
+  InProcessRobot robot_{simulated_.get(), ContactSensingParameters{}, 1,
+                        [this](const ContactObservation& observation) { newest_ = observation; }};
+};
+
+// Aslant along a prong the force rises slowly, so that a short way back still rubs.
+TEST_F(InProcessRobotTest, retreatsUntilNothingTouches) {
+  const Path aslant{makePose(Vec3(0, 0.004, 0)), makePose(Vec3(-0.09, 0.008, 0))};
+  ASSERT_EQ(robot_.follow(aslant).end, MotionEnd::kContact);
+  ASSERT_EQ(newest_.state, ContactState::kContact);
+  const double hardly_any = 1e-4;
+  const MotionResult back = robot_.retreat(hardly_any);
+  EXPECT_EQ(back.end, MotionEnd::kReached) << back.reason;
+  EXPECT_EQ(newest_.state, ContactState::kFree);
+}
+
+TEST_F(InProcessRobotTest, retreatsToTheBeginningAndNoFurther) {
+  ASSERT_EQ(robot_.follow({makePose(Vec3(-0.05, 0, 0)), makePose(Vec3(-0.05, 0.1, 0))}).end,
+            MotionEnd::kContact);
+  for (int i = 0; i < 2; ++i) {
+    const MotionResult back = robot_.retreat(1.0);
+    EXPECT_EQ(back.end, MotionEnd::kReached) << back.reason;
+    EXPECT_LT(gapBetween(robot_.pose(), scenario_.start), 0.003);
+  }
+}
+
+}  // namespace
+}  // namespace smore
