@@ -105,29 +105,6 @@ std::uint8_t stateMessage(ContactState state) {
   return smore_msgs::ContactObservation::UNSURE;
 }
 
-Vec3 rollPitchYaw(const Pose& pose) {
-  // Rz(yaw) Ry(pitch) Rx(roll); where cos(pitch) vanishes only yaw - roll is defined and roll is 0.
-  const Eigen::Matrix3d& R = pose.linear();
-  const double cos_pitch = std::hypot(R(0, 0), R(1, 0));
-  const double pitch = std::atan2(-R(2, 0), cos_pitch);
-  constexpr double kSingular = 1e-9;
-  if (cos_pitch < kSingular) return {0.0, pitch, std::atan2(-R(0, 1), R(1, 1))};
-  return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
-}
-
-// For each Cartesian joint its place in the message's list of names.
-Result<std::vector<size_t>> jointOrder(const std::vector<std::string>& names) {
-  std::vector<size_t> order;
-  for (const std::string& joint : cartesianJointNames()) {
-    if (std::count(names.begin(), names.end(), joint) != 1) {
-      return Failure{"a command must name joint '" + joint + "' once"};
-    }
-    order.push_back(std::find(names.begin(), names.end(), joint) - names.begin());
-  }
-  if (names.size() != order.size()) return Failure{"a command names unknown joints"};
-  return order;
-}
-
 }  // namespace
 
 geometry_msgs::Pose toMessage(const Pose& pose) {
@@ -226,56 +203,43 @@ Result<Path> fromMessage(const nav_msgs::Path& message) {
   return path;
 }
 
-const std::vector<std::string>& cartesianJointNames() {
-  static const std::vector<std::string> names = {"x_joint",   "y_joint",     "z_joint",
-                                                 "yaw_joint", "pitch_joint", "roll_joint"};
-  return names;
-}
-
-std::vector<double> toCartesianJoints(const Pose& T_world_object) {
-  const Vec3 position = T_world_object.translation();
-  const Vec3 angles = rollPitchYaw(T_world_object);
-  return {position.x(), position.y(), position.z(), angles.z(), angles.y(), angles.x()};
-}
-
-Pose fromCartesianJoints(const std::vector<double>& positions) {
-  return makePose({positions.at(0), positions.at(1), positions.at(2)},
-                  {positions.at(5), positions.at(4), positions.at(3)});
-}
-
-trajectory_msgs::JointTrajectory toTrajectory(const Path& path, double linear_speed,
-                                              double angular_speed) {
+trajectory_msgs::JointTrajectory toMessage(const JointTrajectory& trajectory) {
   trajectory_msgs::JointTrajectory message;
-  message.joint_names = cartesianJointNames();
-  double time = 0.0;
-  for (size_t i = 0; i < path.size(); ++i) {
-    if (i > 0) {
-      time += std::max(distanceBetween(path[i - 1], path[i]) / linear_speed,
-                       angleBetween(path[i - 1], path[i]) / angular_speed);
-    }
-    trajectory_msgs::JointTrajectoryPoint point;
-    point.positions = toCartesianJoints(path[i]);
-    point.time_from_start = ros::Duration(time);
-    message.points.push_back(point);
+  message.joint_names = trajectory.joint_names;
+  for (const JointTrajectoryPoint& point : trajectory.points) {
+    trajectory_msgs::JointTrajectoryPoint sent;
+    sent.positions = point.positions;
+    sent.velocities = point.velocities;
+    sent.time_from_start = ros::Duration(point.time);
+    message.points.push_back(sent);
   }
   return message;
 }
 
-Result<Path> fromTrajectory(const trajectory_msgs::JointTrajectory& message) {
-  Path path;
-  if (message.points.empty()) return path;
-  const Result<std::vector<size_t>> order = jointOrder(message.joint_names);
-  if (!order) return Failure{order.reason()};
+JointTrajectory fromMessage(const trajectory_msgs::JointTrajectory& message) {
+  JointTrajectory trajectory;
+  trajectory.joint_names = message.joint_names;
   for (const trajectory_msgs::JointTrajectoryPoint& point : message.points) {
-    if (point.positions.size() != order->size()) {
-      return Failure{"a point of the command has not one position for each joint"};
-    }
-    std::vector<double> positions;
-    for (const size_t place : *order) positions.push_back(point.positions[place]);
-    path.push_back(fromCartesianJoints(positions));
-    if (!isFinite(path.back())) return Failure{"a position of the command is not finite"};
+    trajectory.points.push_back({point.time_from_start.toSec(), point.positions, point.velocities});
   }
-  return path;
+  return trajectory;
+}
+
+Result<std::vector<double>> fromMessage(const sensor_msgs::JointState& message,
+                                        const std::vector<std::string>& names) {
+  std::vector<double> positions;
+  for (const std::string& name : names) {
+    const auto place = std::find(message.name.begin(), message.name.end(), name);
+    const auto index = static_cast<size_t>(place - message.name.begin());
+    if (place == message.name.end() || index >= message.position.size()) {
+      return Failure{"no position of joint '" + name + "' among the joint states"};
+    }
+    if (!std::isfinite(message.position[index])) {
+      return Failure{"the position of joint '" + name + "' is not finite"};
+    }
+    positions.push_back(message.position[index]);
+  }
+  return positions;
 }
 
 }  // namespace smore

@@ -7,11 +7,13 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <deque>
+#include <sstream>
 
-#include "smore/contact/contact_sensing.h"
+#include "force_torque_parameters.h"
+#include "smore/contact/still_poses.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
-#include "smore/ros/tare_request.h"
+#include "smore/ros/sensing_request.h"
 #include "smore/ros/throttle.h"
 
 namespace smore {
@@ -20,39 +22,12 @@ namespace {
 constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
 constexpr double kTimeJump = 1.0;       // [s]; stamps that fall by less are merely out of order
 
-struct ForceTorqueParameters {
-  FrameNames frames;
-  double transform_timeout = 0.5;  ///< sample time that a wrench waits for its pose [s]
-  double silence_timeout = 2.0;    ///< wall time without a wrench before a warning [s]
-  double tare_timeout = 10.0;      ///< wall time that the tare service waits [s]
-  ContactSensingParameters sensing;
-};
-
-void imposeScenario(const Scenario& scenario, YAML::Node parameters, ParameterReader* reader) {
-  const auto impose = [&](const char* group, const char* key, double value) {
-    imposeScenarioValue(parameters, group, key, value, reader);
-  };
-  impose("detector", "contact_force", scenario.contact_force);
-  impose("detector", "free_force", scenario.free_force);
-  impose("line", "force_stddev", scenario.wrench_noise.force_stddev);
-  impose("line", "torque_stddev", scenario.wrench_noise.torque_stddev);
-  impose("line", "added_direction_stddev", scenario.line_noise.direction);
-  impose("line", "added_offset_stddev", scenario.line_noise.offset);
-}
-
-ForceTorqueParameters readParameters(const YAML::Node& mapping, const std::string& source) {
-  ParameterReader reader(mapping, source);
-  const std::optional<Scenario> scenario = readScenarioParameter(&reader);
-  // After a scenario that cannot be read, its error is all there is to say.
-  if (reader.has("scenario")) imposeScenario(scenario.value_or(Scenario()), mapping, &reader);
-  ForceTorqueParameters parameters;
-  parameters.frames = readFrameNames(&reader);
-  reader.number("transform_timeout", &parameters.transform_timeout, {0.01, 60.0});
-  reader.number("silence_timeout", &parameters.silence_timeout, {0.01, 3600.0});
-  reader.number("tare_timeout", &parameters.tare_timeout, {0.1, 3600.0});
-  parameters.sensing = readContactSensingParameters(&reader);
-  reader.finish();
-  return parameters;
+std::string describe(const IdentifiedPayload& found) {
+  std::ostringstream text;
+  text << "the payload is " << found.payload.mass << " kg at ("
+       << found.payload.center_of_mass_object.transpose() << ") m in the object frame; "
+       << found.force_residual << " N and " << found.torque_residual << " N m are left over";
+  return text.str();
 }
 
 /// Turns wrenches into contact observations. Wrenches and transforms arrive on one queue, handled
@@ -75,7 +50,8 @@ class ForceTorqueNode {
                                                                  names::kStreamQueue);
     wrench_ = node_.subscribe(names::kWrench, names::kStreamQueue, &ForceTorqueNode::onWrench, this,
                               hints);
-    tare_ = service_node_.advertiseService(names::kTare, &ForceTorqueNode::onTare, this);
+    tare_ = serve(names::kTare, &tare_request_);
+    identify_ = serve(names::kIdentifyPayload, &identify_request_);
     last_wrench_ = ros::WallTime::now();
   }
 
@@ -125,16 +101,22 @@ class ForceTorqueNode {
     transforms_.clear();
     last_stamp_ = last_pose_ = ros::Time();
     sensing_ = ContactSensing(parameters_.sensing);
+    still_poses_.clear();
   }
 
-  bool onTare(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
-    response.success = tare_request_.ask(parameters_.tare_timeout);
-    response.message =
-        response.success
-            ? "tared"
-            : "no tare within the timeout: check that wrenches and transforms arrive and that the "
-              "robot stands still; the log says more";
-    return true;
+  ros::ServiceServer serve(const std::string& name, SensingRequest* request) {
+    using Trigger = std_srvs::Trigger;
+    const boost::function<bool(Trigger::Request&, Trigger::Response&)> callback =
+        [this, request](Trigger::Request& /*request*/, Trigger::Response& response) {
+          const auto answer = request->ask(parameters_.tare_timeout);
+          response.success = answer && answer->success;
+          response.message =
+              answer ? answer->message
+                     : "no tare within the timeout: check that wrenches and transforms arrive and "
+                       "that the robot stands still; the log says more";
+          return true;
+        };
+    return service_node_.advertiseService(name, callback);
   }
 
   void processWaiting() {
@@ -143,9 +125,9 @@ class ForceTorqueNode {
       const std::optional<WrenchSample> sample = sampleOf(waiting_.front(), &problem);
       if (sample) {
         process(*sample);
-      } else if (!expired()) {
+      } else if (!precedesPoses(waiting_.front()) && !expired()) {
         return;
-      } else {
+      } else if (!precedesPoses(waiting_.front())) {
         if (pose_warning_.isDue())
           ROS_WARN_STREAM("wrench dropped, its pose is not known: "
                           << problem << "; check that tf gives '" << parameters_.frames.object
@@ -153,6 +135,17 @@ class ForceTorqueNode {
       }
       waiting_.pop_front();
     }
+  }
+
+  /// Whether a wrench came just before the first pose of all, as happens when drivers start.
+  bool precedesPoses(const geometry_msgs::WrenchStamped& message) const {
+    const std::string& world = parameters_.frames.world;
+    const std::string& object = parameters_.frames.object;
+    if (transforms_.canTransform(world, object, message.header.stamp)) return false;
+    if (!transforms_.canTransform(world, object, ros::Time())) return false;
+    const ros::Time newest = transforms_.lookupTransform(world, object, ros::Time()).header.stamp;
+    const double lead = (newest - message.header.stamp).toSec();
+    return lead > 0.0 && lead < parameters_.transform_timeout;
   }
 
   /// Whether the first wrench waited too long, or too many wait.
@@ -183,11 +176,13 @@ class ForceTorqueNode {
     sample.time = stamp.toSec();
     sample.wrench = transformWrench(*T_object_sensor, fromMessage(message.wrench));
     sample.T_world_object = *pose;
+    sample.sensor_object = T_object_sensor->translation();
     return sample;
   }
 
   void process(const WrenchSample& sample) {
     if (tare_request_.take()) sensing_.startTare();
+    if (identify_request_.take()) identify();
     const bool was_tared = sensing_.tared();
     const Result<ContactObservation> observation = sensing_.process(sample);
     if (!observation) {
@@ -199,6 +194,17 @@ class ForceTorqueNode {
     contact_.publish(toMessage(*observation, parameters_.frames));
     publishCompensated(sample.time);
     reportTare(was_tared);
+    still_poses_.add(sample);
+  }
+
+  /// Where a payload is found, a tare begins, since the bias was that of another payload.
+  void identify() {
+    const Result<IdentifiedPayload> found = identifyPayload(still_poses_.poses());
+    if (!found) return identify_request_.finish({false, found.reason()});
+    payload_found_ = describe(*found);
+    ROS_INFO_STREAM(payload_found_);
+    parameters_.sensing.payload = found->payload;
+    sensing_.setPayload(found->payload);
   }
 
   /// Each sample is answered, so that who waits for the answer goes on; this one says nothing.
@@ -222,7 +228,8 @@ class ForceTorqueNode {
   void reportTare(bool was_tared) {
     if (sensing_.tared()) {
       if (!was_tared) ROS_INFO("tared");
-      tare_request_.finish();
+      tare_request_.finish({true, "tared"});
+      identify_request_.finish({true, payload_found_});
     } else if (!sensing_.tareProblem().empty()) {
       if (tare_warning_.isDue()) ROS_WARN_STREAM("tare refused: " << sensing_.tareProblem());
     }
@@ -238,7 +245,9 @@ class ForceTorqueNode {
 
   ForceTorqueParameters parameters_;
   ContactSensing sensing_;
-  TareRequest tare_request_;
+  StillPoses still_poses_;
+  std::string payload_found_;  ///< what was identified last; empty: nothing yet
+  SensingRequest tare_request_, identify_request_;
   tf2::BufferCore transforms_;
   ros::CallbackQueue queue_;
   ros::CallbackQueue service_queue_;
@@ -246,7 +255,7 @@ class ForceTorqueNode {
   ros::NodeHandle service_node_{"~"};
   ros::Publisher contact_, compensated_;
   ros::Subscriber wrench_, tf_, tf_static_;
-  ros::ServiceServer tare_;
+  ros::ServiceServer tare_, identify_;
   std::deque<geometry_msgs::WrenchStamped> waiting_;  ///< for their poses, oldest first
   ros::WallTime last_wrench_;
   ros::Time last_stamp_;  ///< of the newest wrench that came
@@ -258,7 +267,7 @@ class ForceTorqueNode {
 
 void runForceTorque() {
   const ForceTorqueParameters parameters =
-      readParameters(privateParameters(), ros::this_node::getName());
+      readForceTorqueParameters(privateParameters(), ros::this_node::getName());
   ForceTorqueNode(parameters).run();
 }
 

@@ -60,6 +60,7 @@ class PlannerNode {
     tree_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPlanTree, names::kLatestQueue,
                                                              true);
     plan_ = node_.advertiseService(names::kPlanPath, &PlannerNode::onPlan, this);
+    touch_ = node_.advertiseService(names::kPlanTouch, &PlannerNode::onTouch, this);
     check_ = node_.advertiseService(names::kCheckPose, &PlannerNode::onCheck, this);
   }
 
@@ -116,6 +117,26 @@ class PlannerNode {
     return "";
   }
 
+  bool onTouch(smore_msgs::PlanTouch::Request& request, smore_msgs::PlanTouch::Response& response) {
+    const Result<Path> path = touch(request);
+    response.enough = static_cast<unsigned char>(path && path->empty());
+    response.success = static_cast<unsigned char>(path && !path->empty());
+    if (!path) response.message = path.reason();
+    if (response.enough != 0) response.message = "no motion would tell enough";
+    if (response.success == 0) return true;
+    response.path = toMessage(*path, parameters_.frames.world, stamp_.toSec());
+    path_.publish(response.path);
+    return true;
+  }
+
+  Result<Path> touch(const smore_msgs::PlanTouch::Request& request) {
+    const Result<Pose> start = fromMessage(request.start, parameters_.frames.world);
+    if (!start) return Failure{"start: " + start.reason()};
+    const std::string problem = synchronise(request.not_before);
+    if (!problem.empty()) return Failure{problem};
+    return replica_.nextTouch(*start);
+  }
+
   void show(const Plan& plan, const nav_msgs::Path& message) {
     path_.publish(message);
     if (tree_.getNumSubscribers() > 0) {
@@ -144,7 +165,7 @@ class PlannerNode {
   ros::NodeHandle node_;
   ros::ServiceClient maps_;
   ros::Publisher path_, markers_, tree_;
-  ros::ServiceServer plan_, check_;
+  ros::ServiceServer plan_, touch_, check_;
 };
 
 void runPlanner() {

@@ -4,14 +4,15 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
+#include <atomic>
 #include <filesystem>
-#include <limits>
-#include <memory>
 
 #include "smore/retrieval/reconstruction.h"
 #include "smore/retrieval/retrieval.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
+#include "smore/ros/payload_tilts.h"
+#include "smore/ros/remote_planner.h"
 #include "smore/ros/retrieval_summary.h"
 #include "smore/ros/ros_robot.h"
 
@@ -24,7 +25,8 @@ struct RetrievalNodeParameters {
   RosRobotParameters robot;
   int max_collisions = 2000;
   double retreat_distance = 0.05;  ///< [m + rad]
-  int seed = 1;                    ///< of the touches of a reconstruction
+  bool identify_payload = true;    ///< at the start, where the robot tilts it
+  double payload_tilt = 0.5;       ///< [rad]
   bool auto_start = false;
   std::string output;  ///< directory for maps and summary; empty: none
 };
@@ -36,9 +38,11 @@ RetrievalNodeParameters readParameters(ParameterReader* reader) {
   reader->number("silence_timeout", &parameters.robot.silence_timeout, {0.01, 3600.0});
   reader->number("ready_timeout", &parameters.robot.ready_timeout, {0.1, 3600.0});
   if (reader->has("reset_service")) reader->text("reset_service", &parameters.robot.reset_service);
+  if (reader->has("zero_service")) reader->text("zero_service", &parameters.robot.zero_service);
   reader->integer("max_collisions", &parameters.max_collisions, 1, 1000000);
   reader->number("retreat_distance", &parameters.retreat_distance, {1e-3, 10.0});
-  reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
+  reader->boolean("identify_payload", &parameters.identify_payload);
+  reader->number("payload_tilt", &parameters.payload_tilt, {0.2, 1.0});
   reader->boolean("auto_start", &parameters.auto_start);
   if (reader->has("output")) reader->text("output", &parameters.output);
   if (!parameters.output.empty() && !std::filesystem::path(parameters.output).is_absolute()) {
@@ -47,61 +51,13 @@ RetrievalNodeParameters readParameters(ParameterReader* reader) {
   return parameters;
 }
 
-/// The planner node, asked for paths on maps that hold everything that the robot has felt.
-class RosPlanner : public Planner {
- public:
-  RosPlanner(const std::string& world_frame, const RosRobot* robot)
-      : world_frame_(world_frame), robot_(robot) {
-    client_ = node_.serviceClient<smore_msgs::PlanPath>(names::kPlanPath);
-  }
-
-  bool waitUntilReady(double timeout) { return client_.waitForExistence(ros::Duration(timeout)); }
-
-  Result<Plan> plan(const Pose& start, const Pose& goal) override {
-    return ask(start, goal, false);
-  }
-
-  Result<Plan> planRelaxed(const Pose& start, const Pose& goal) override {
-    return ask(start, goal, true);
-  }
-
- private:
-  Result<Plan> ask(const Pose& start, const Pose& goal, bool relaxed) {
-    smore_msgs::PlanPath call;
-    call.request.start = stamped(start);
-    call.request.goal = stamped(goal);
-    call.request.relaxed = static_cast<unsigned char>(relaxed);
-    call.request.not_before.fromSec(robot_->stamp());
-    if (!client_.call(call)) {
-      return Failure{"the service '" + client_.getService() +
-                     "' does not answer; is the planner node up?"};
-    }
-    if (call.response.success == 0) return Failure{call.response.message};
-    const Result<Path> path = fromMessage(call.response.path);
-    if (!path) return Failure{path.reason()};
-    return Plan{*path, call.response.risk};
-  }
-
-  geometry_msgs::PoseStamped stamped(const Pose& pose) const {
-    geometry_msgs::PoseStamped message;
-    message.header.frame_id = world_frame_;
-    message.pose = toMessage(pose);
-    return message;
-  }
-
-  std::string world_frame_;
-  const RosRobot* robot_;
-  ros::NodeHandle node_;
-  ros::ServiceClient client_;
-};
-
 /// Offers the retrieval loop as an action. The loop runs in the action's thread.
 class RetrievalNode {
  public:
   RetrievalNode(const RetrievalNodeParameters& parameters, const Scenario& scenario)
       : parameters_(parameters),
         scenario_(scenario),
-        robot_(parameters.robot),
+        robot_(parameters.robot, makeJointCommands(scenario)),
         planner_(parameters.frames.world, &robot_),
         server_(
             node_, names::kRetrieve, [this](const auto& goal) { execute(*goal); }, false) {
@@ -164,6 +120,7 @@ class RetrievalNode {
       parameters.goal = *pose;
     }
     outcome.reason = waitUntilReady();
+    if (outcome.reason.empty()) outcome.reason = identifyPayload();
     if (!outcome.reason.empty()) return outcome;
     return scenario_.task == Task::kReconstruct ? touch() : retrieve(parameters);
   }
@@ -177,6 +134,12 @@ class RetrievalNode {
                : "the planner's service does not appear; is the planner node up?";
   }
 
+  std::string identifyPayload() {
+    if (!parameters_.identify_payload || !tiltsPayload(scenario_)) return "";
+    ROS_INFO("tilting the object to find its weight");
+    return identifyPayloadByTilting(&robot_, &node_, parameters_.payload_tilt);
+  }
+
   RetrievalOutcome retrieve(const RetrievalParameters& parameters) {
     Retrieval retrieval(parameters, &robot_, &planner_, [this, &retrieval](const auto& progress) {
       show(progress);
@@ -186,7 +149,7 @@ class RetrievalNode {
   }
 
   RetrievalOutcome touch() {
-    RandomTouches touches(scenario_.motionSpace(), parameters_.seed);
+    RemoteTouchPlanner touches(parameters_.frames.world, &robot_);
     ReconstructionParameters parameters = reconstructionParameters(scenario_);
     parameters.retreat_distance = parameters_.retreat_distance;
     return reconstruct(
@@ -236,7 +199,7 @@ class RetrievalNode {
   Scenario scenario_;
   ros::NodeHandle node_;
   RosRobot robot_;
-  RosPlanner planner_;
+  RemotePlanner planner_;
   ros::ServiceClient maps_;
   ros::ServiceServer stop_;
   std::atomic<bool> stop_requested_{false};
@@ -249,8 +212,8 @@ void runRetrieval() {
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
   reader.finish();
-  parameters.robot.linear_speed = scenario->linear_speed;
-  parameters.robot.angular_speed = scenario->angular_speed;
+  // An arm cannot be set to the start: it goes back along its way.
+  if (scenario->robot == RobotKind::kUr5e) parameters.robot.reset_service.clear();
 
   ros::AsyncSpinner spinner(1);
   spinner.start();

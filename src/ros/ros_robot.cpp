@@ -3,46 +3,39 @@
 
 #include <std_srvs/Trigger.h>
 
-#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "smore/ros/names.h"
+#include "smore/ros/sensor_zero.h"
 
 namespace smore {
 namespace {
 
 // Sample times [s]: a contact settles, and a free sensor says so, in a tenth of this.
 constexpr double kSettleDeadline = 2.0;
-// A motion may take so many times what its speed says, and so much more [s], before it is a fault.
-constexpr double kSlowness = 3.0;
-constexpr double kSlack = 5.0;
-// Shares of the motion's time before which no arrival counts: a path may cross its own end.
-constexpr double kEarliest = 0.9;
-// A robot at its target is this near [m + rad], and moved less than this during the last 10 ms.
+// A robot at its target is this near [m + rad].
 constexpr double kAtTarget = 2e-3;
-constexpr double kAtRest = 1e-4;
-constexpr double kRestTime = 0.01;
-constexpr double kTrailSpacing = 0.002;  // [m + rad] between the poses that a retreat retraces
-// A retreat that touches is stopped by the reflex each time; more often it is stuck.
-constexpr int kMostResumes = 50;
-
-double gap(const Pose& a, const Pose& b) { return distanceBetween(a, b) + angleBetween(a, b); }
+// Between two looks at the wishes of the user while nothing comes [s of wall time].
+constexpr double kLookPeriod = 0.01;
+// Of a retreat: it goes on where it was stopped, and while something still touches.
+constexpr int kMostStretches = 20;
 
 }  // namespace
 
 struct RosRobot::Motion {
-  Path path;
-  double begin = 0.0;     ///< sample time of the command [s]
-  double duration = 0.0;  ///< at the configured speed [s]
-  int known_contacts = 0;
-  double length = 0.0;
+  MotionProgress progress;
   ContactObservation last;
-  Pose rest_pose = Pose::Identity();  ///< where it was when it last moved
-  double rest_since = 0.0;
-  std::string reason;
+  int known_contacts = 0;
+  std::string reason;                   ///< why it ended
+  std::optional<MotionResult> refused;  ///< where it could not begin
 };
 
-RosRobot::RosRobot(const RosRobotParameters& parameters) : parameters_(parameters) {
+RosRobot::RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCommands> commands)
+    : parameters_(parameters),
+      commands_(std::move(commands)),
+      joints_(&queue_, commands_->jointNames()),
+      guard_(&queue_) {
   node_.setCallbackQueue(&queue_);
   command_ =
       node_.advertise<trajectory_msgs::JointTrajectory>(names::kCommand, names::kLatestQueue);
@@ -61,17 +54,23 @@ RosRobot::RosRobot(const RosRobotParameters& parameters) : parameters_(parameter
 }
 
 std::string RosRobot::waitUntilReady() {
+  if (!parameters_.zero_service.empty()) {
+    std::string problem = zeroSensor(&node_, parameters_.zero_service, parameters_.ready_timeout);
+    if (!problem.empty()) return problem;
+  }
   stream_.open();
   const ros::WallTime deadline =
       ros::WallTime::now() + ros::WallDuration(parameters_.ready_timeout);
   std::string missing = "no contact observations on '" + contact_.getTopic() +
                         "'; is the force_torque node up, and does it get wrenches and transforms?";
-  while (ros::ok() && ros::WallTime::now() < deadline && !missing.empty()) {
-    const auto observation = stream_.next(kRestTime);
+  std::string fault = guardFault();
+  while (ros::ok() && ros::WallTime::now() < deadline && !missing.empty() && fault.empty()) {
+    const auto observation = stream_.next(kLookPeriod);
     if (observation) missing = missingBeside(*observation);
+    fault = guardFault();
   }
   stream_.close();
-  return missing;
+  return fault.empty() ? missing : fault;
 }
 
 std::string RosRobot::missingBeside(const ContactObservation& observation) {
@@ -81,6 +80,7 @@ std::string RosRobot::missingBeside(const ContactObservation& observation) {
   if (command_.getNumSubscribers() == 0) {
     return "nobody listens to commands on '" + command_.getTopic() + "'; is the robot up?";
   }
+  if (const auto joints = joints_.positionsAt(stamp()); !joints) return joints.reason();
   if (!parameters_.reset_service.empty() && !reset_.exists()) {
     return "the service '" + reset_.getService() + "' does not appear; is the robot up?";
   }
@@ -88,14 +88,10 @@ std::string RosRobot::missingBeside(const ContactObservation& observation) {
 }
 
 Pose RosRobot::pose() const {
-  const auto latest = stream_.latest();
-  return latest ? latest->T_world_object : Pose::Identity();
+  return stream_.latest().value_or(ContactObservation{}).T_world_object;
 }
 
-double RosRobot::stamp() const {
-  const auto latest = stream_.latest();
-  return latest ? latest->time : 0.0;
-}
+double RosRobot::stamp() const { return stream_.latest().value_or(ContactObservation{}).time; }
 
 void RosRobot::requestStop() {
   stop_requested_ = true;
@@ -104,10 +100,12 @@ void RosRobot::requestStop() {
 
 MotionResult RosRobot::follow(const Path& path) {
   Motion motion = begin(path);
+  if (motion.refused) return *motion.refused;
   while (true) {
     switch (advance(&motion)) {
       case Step::kGoOn:
-        recordTrail(motion.last.T_world_object);
+      case Step::kStalled:  // a paused robot may go on
+        trail_.record(motion.last.T_world_object);
         break;
       case Step::kArrived:
         return end(motion, MotionEnd::kReached);
@@ -116,39 +114,35 @@ MotionResult RosRobot::follow(const Path& path) {
         settleInContact(&motion);
         return end(motion, MotionEnd::kContact);
       case Step::kFault:
-        halt();
-        return end(motion, stop_requested_ ? MotionEnd::kStopped : MotionEnd::kFault);
+        return endStopped(motion);
     }
   }
 }
 
 MotionResult RosRobot::retreat(double distance) {
-  const Path back = takeTrail(distance);
-  if (back.empty()) return {};
-  Motion motion = begin(back);
-  for (int resumes = 0; resumes < kMostResumes;) {
-    const Step step = advance(&motion);
-    if (step == Step::kFault) {
-      halt();
-      return end(motion, stop_requested_ ? MotionEnd::kStopped : MotionEnd::kFault);
-    }
-    if (step == Step::kArrived) {
-      if (waitUntilFree()) return end(motion, MotionEnd::kReached);
-      break;
-    }
-    if (step == Step::kContact) {
-      ++resumes;
-      motion.known_contacts = motion.last.contact_id;
-      const Pose here = motion.last.T_world_object;
-      const auto nearest = std::min_element(
-          back.begin(), back.end(),
-          [&](const Pose& a, const Pose& b) { return gap(a, here) < gap(b, here); });
-      send(Path(nearest, back.end()));
-    }
+  MotionResult result;
+  for (int stretch = 0; stretch < kMostStretches; ++stretch) {
+    const Path back = trail_.wayBack(pose(), distance);
+    if (!back.empty()) result = goBack(back);
+    if (result.end != MotionEnd::kReached || waitUntilFree()) return result;
+    if (back.empty()) break;
   }
   halt();
-  motion.reason = "still in contact after the retreat";
-  return end(motion, MotionEnd::kFault);
+  result.end = stop_requested_ ? MotionEnd::kStopped : MotionEnd::kFault;
+  result.reason = "still in contact after the retreat";
+  return result;
+}
+
+MotionResult RosRobot::goBack(const Path& back) {
+  Motion motion = begin(back);
+  if (motion.refused) return *motion.refused;
+  while (true) {
+    const Step step = advance(&motion);
+    trail_.unwind(motion.last.T_world_object);
+    if (step == Step::kFault) return endStopped(motion);
+    if (step == Step::kArrived || step == Step::kStalled) return end(motion, MotionEnd::kReached);
+    motion.known_contacts = motion.last.contact_id;
+  }
 }
 
 MotionResult RosRobot::reset(const Pose& start) {
@@ -157,7 +151,6 @@ MotionResult RosRobot::reset(const Pose& start) {
   }
   MotionResult result;
   std_srvs::Trigger call;
-  stream_.open();
   if (!reset_.call(call) || !call.response.success) {
     result.reason = "the service '" + reset_.getService() + "' failed: " + call.response.message;
   } else if (!waitUntilAt(start)) {
@@ -165,7 +158,6 @@ MotionResult RosRobot::reset(const Pose& start) {
   } else if (!waitUntilFree()) {
     result.reason = "the sensor feels a force at the start pose";
   }
-  stream_.close();
   trail_.clear();
   if (!result.reason.empty()) result.end = MotionEnd::kFault;
   if (stop_requested_) result = {MotionEnd::kStopped, "stopped by the user", 0.0};
@@ -176,27 +168,35 @@ std::optional<ContactObservation> RosRobot::nextObservation() {
   const ros::WallTime deadline =
       ros::WallTime::now() + ros::WallDuration(parameters_.silence_timeout);
   while (ros::ok() && !stop_requested_ && ros::WallTime::now() < deadline) {
-    if (auto observation = stream_.next(kRestTime)) return observation;
+    if (auto observation = stream_.next(kLookPeriod)) return observation;
   }
   return std::nullopt;
 }
 
+std::string RosRobot::guardFault() const {
+  const std::string fault = guard_.fault();
+  return fault.empty() ? "" : "the guard has stopped the robot: " + fault;
+}
+
 RosRobot::Motion RosRobot::begin(const Path& path) {
-  Motion motion;
-  motion.path = path;
-  motion.last = stream_.latest().value_or(ContactObservation{});
-  motion.begin = motion.last.time;
-  motion.rest_pose = motion.last.T_world_object;
-  motion.rest_since = motion.begin;
-  motion.known_contacts = motion.last.contact_id;
-  Pose from = motion.last.T_world_object;
-  for (const Pose& to : path) {
-    motion.duration += std::max(distanceBetween(from, to) / parameters_.linear_speed,
-                                angleBetween(from, to) / parameters_.angular_speed);
-    from = to;
+  const ContactObservation now = stream_.latest().value_or(ContactObservation{});
+  const Pose& here = now.T_world_object;
+  const Pose& target = path.empty() ? here : path.back();
+  Motion motion{{now.time, here, target, 0.0}, now, now.contact_id, "", std::nullopt};
+  const Result<std::vector<double>> joints = joints_.positionsAt(now.time);
+  if (!joints) {
+    motion.refused = MotionResult{MotionEnd::kFault, joints.reason(), 0.0};
+    return motion;
+  }
+  const Result<JointTrajectory> trajectory = commands_->along(*joints, path);
+  if (!trajectory) {
+    motion.refused = MotionResult{MotionEnd::kUnreachable, trajectory.reason(), 0.0};
+    return motion;
   }
   stream_.open();
-  if (!stop_requested_) send(path);
+  if (stop_requested_ || trajectory->points.empty()) return motion;
+  motion.progress = {now.time, here, target, trajectory->points.back().time};
+  command_.publish(toMessage(*trajectory));
   return motion;
 }
 
@@ -206,45 +206,38 @@ RosRobot::Step RosRobot::advance(Motion* motion) {
     motion->reason = "stopped by the user";
     return Step::kFault;
   }
+  motion->reason = guardFault();
+  if (!motion->reason.empty()) return Step::kFault;
   if (!observation) {
     motion->reason =
         "no contact observation came for so long during a motion that the sensor must be "
         "taken for dead; are sensor, robot and force_torque node up?";
     return Step::kFault;
   }
-  const Pose& here = observation->T_world_object;
-  motion->length += distanceBetween(motion->last.T_world_object, here);
   motion->last = *observation;
+  const MotionStage stage = motion->progress.update(observation->time, observation->T_world_object);
   if (observation->contact_id != motion->known_contacts) return Step::kContact;
-  if (gap(motion->rest_pose, here) > kAtRest) {
-    motion->rest_pose = here;
-    motion->rest_since = observation->time;
-  }
-  const double elapsed = observation->time - motion->begin;
-  const bool at_rest = observation->time - motion->rest_since >= kRestTime;
-  if (at_rest && elapsed >= kEarliest * motion->duration &&
-      (motion->path.empty() || gap(here, motion->path.back()) < kAtTarget)) {
-    return Step::kArrived;
-  }
-  if (elapsed > kSlowness * motion->duration + kSlack) {
-    motion->reason = "the robot did not arrive in time; does it follow commands?";
-    return Step::kFault;
-  }
-  return Step::kGoOn;
+  if (stage == MotionStage::kArrived) return Step::kArrived;
+  if (stage == MotionStage::kStalled) return Step::kStalled;
+  if (stage == MotionStage::kUnderWay) return Step::kGoOn;
+  motion->reason = "the robot did not arrive in time; does it follow commands?";
+  return Step::kFault;
 }
 
-void RosRobot::send(const Path& path) {
-  command_.publish(toTrajectory(path, parameters_.linear_speed, parameters_.angular_speed));
-}
+// A trajectory without points is the command to stay here.
+void RosRobot::halt() { command_.publish(trajectory_msgs::JointTrajectory()); }
 
-void RosRobot::halt() { send({}); }
+MotionResult RosRobot::endStopped(const Motion& motion) {
+  halt();
+  return end(motion, stop_requested_ ? MotionEnd::kStopped : MotionEnd::kFault);
+}
 
 MotionResult RosRobot::end(const Motion& motion, MotionEnd how) {
   stream_.close();
   MotionResult result;
   result.end = how;
   result.reason = motion.reason;
-  result.length = motion.length;
+  result.length = motion.progress.length();
   return result;
 }
 
@@ -258,41 +251,33 @@ void RosRobot::settleInContact(Motion* motion) {
   }
 }
 
+bool RosRobot::standStill(double duration) {
+  const double end = stamp() + duration;
+  return waitUntil([&](const auto& observation) { return observation.time >= end; });
+}
+
 bool RosRobot::waitUntilFree() {
-  std::optional<double> deadline;
-  while (const auto observation = nextObservation()) {
-    if (observation->state == ContactState::kFree) return true;
-    if (!deadline) deadline = observation->time + kSettleDeadline;
-    if (observation->time > *deadline) return false;
-  }
-  return false;
+  return waitUntil(
+      [](const auto& observation) { return observation.state == ContactState::kFree; });
 }
 
 bool RosRobot::waitUntilAt(const Pose& target) {
+  return waitUntil([&](const auto& observation) {
+    return gapBetween(observation.T_world_object, target) < kAtTarget;
+  });
+}
+
+bool RosRobot::waitUntil(const std::function<bool(const ContactObservation&)>& condition) {
   std::optional<double> deadline;
+  bool fulfilled = false;
+  stream_.open();
   while (const auto observation = nextObservation()) {
-    if (gap(observation->T_world_object, target) < kAtTarget) return true;
+    fulfilled = condition(*observation);
     if (!deadline) deadline = observation->time + kSettleDeadline;
-    if (observation->time > *deadline) return false;
+    if (fulfilled || observation->time > *deadline) break;
   }
-  return false;
-}
-
-void RosRobot::recordTrail(const Pose& pose) {
-  if (trail_.empty() || gap(trail_.back(), pose) >= kTrailSpacing) trail_.push_back(pose);
-}
-
-Path RosRobot::takeTrail(double distance) {
-  Path back;
-  Pose last = pose();
-  double travelled = 0.0;
-  while (!trail_.empty() && travelled < distance) {
-    travelled += gap(last, trail_.back());
-    last = trail_.back();
-    back.push_back(last);
-    trail_.pop_back();
-  }
-  return back;
+  stream_.close();
+  return fulfilled;
 }
 
 }  // namespace smore

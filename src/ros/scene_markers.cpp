@@ -2,7 +2,10 @@
 #include "smore/ros/scene_markers.h"
 
 #include <algorithm>
+#include <optional>
 #include <variant>
+
+#include "smore/kinematics/urdf_model.h"
 
 namespace smore {
 namespace {
@@ -94,6 +97,31 @@ void addShapes(const std::vector<Shape>& shapes, const std::string& frame, const
   }
 }
 
+std::optional<Shape> visualShape(const urdf::Visual& visual) {
+  const Pose pose = toPose(visual.origin);
+  switch (visual.geometry ? visual.geometry->type : urdf::Geometry::MESH) {
+    case urdf::Geometry::BOX: {
+      const auto& box = static_cast<const urdf::Box&>(*visual.geometry);
+      return Shape{BoxShape{Vec3(box.dim.x, box.dim.y, box.dim.z)}, pose};
+    }
+    case urdf::Geometry::CYLINDER: {
+      const auto& cylinder = static_cast<const urdf::Cylinder&>(*visual.geometry);
+      return Shape{CylinderShape{cylinder.radius, cylinder.length}, pose};
+    }
+    case urdf::Geometry::SPHERE:
+      return Shape{SphereShape{static_cast<const urdf::Sphere&>(*visual.geometry).radius}, pose};
+    case urdf::Geometry::MESH:
+      break;
+  }
+  return std::nullopt;
+}
+
+std_msgs::ColorRGBA colorOf(const urdf::Visual& visual) {
+  if (!visual.material) return color(0.6F, 0.6F, 0.6F, 1.0F);
+  const urdf::Color& shade = visual.material->color;
+  return color(shade.r, shade.g, shade.b, shade.a);
+}
+
 }  // namespace
 
 visualization_msgs::MarkerArray sceneMarkers(const Scenario& scenario, const FrameNames& frames) {
@@ -102,6 +130,20 @@ visualization_msgs::MarkerArray sceneMarkers(const Scenario& scenario, const Fra
             color(0.45F, 0.45F, 0.5F, kSceneOpacity), &array);
   addShapes(scenario.object, frames.object, "object", color(0.25F, 0.45F, 0.9F, kSceneOpacity),
             &array);
+  return array;
+}
+
+visualization_msgs::MarkerArray robotMarkers(const urdf::ModelInterface& urdf) {
+  visualization_msgs::MarkerArray array;
+  for (const auto& [name, link] : urdf.links_) {
+    for (const auto& visual : link->visual_array) {
+      const std::optional<Shape> shape = visualShape(*visual);
+      if (!shape) continue;
+      const size_t id = array.markers.size();
+      addShapes({*shape}, name, "robot", colorOf(*visual), &array);
+      array.markers.back().id = static_cast<int>(id);
+    }
+  }
   return array;
 }
 

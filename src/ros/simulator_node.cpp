@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "simulated_driver.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/scene_markers.h"
@@ -25,6 +26,7 @@ constexpr double kHalfSample = 0.001;
 struct SimulatorParameters {
   FrameNames frames;
   int seed = 1;
+  double sensor_cutoff = 0.0;          ///< of the sensor's low-pass [Hz]; 0: none
   double real_time_factor = 0.0;       ///< while moving; 0: as fast as the listener follows
   double rest_real_time_factor = 1.0;  ///< while at rest
   int lag_samples = 2;                 ///< samples that may run ahead of the listener
@@ -36,6 +38,7 @@ SimulatorParameters readParameters(ParameterReader* reader) {
   SimulatorParameters parameters;
   parameters.frames = readFrameNames(reader);
   reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
+  reader->number("sensor_cutoff", &parameters.sensor_cutoff, {0.0, 1000.0});
   reader->number("real_time_factor", &parameters.real_time_factor, {0.0, 1000.0});
   reader->number("rest_real_time_factor", &parameters.rest_real_time_factor, {0.01, 1000.0});
   reader->integer("lag_samples", &parameters.lag_samples, 0, 100);
@@ -50,14 +53,14 @@ class SimulatorNode {
  public:
   SimulatorNode(const SimulatorParameters& parameters, const Scenario& scenario)
       : parameters_(parameters),
-        robot_(makeSimulatedRobot(scenario, parameters.seed)),
+        robot_(makeSimulatedRobot(
+            scenario, parameters.seed,
+            parameters.sensor_cutoff > 0.0 ? parameters.sensor_cutoff : kNoLowPass)),
+        driver_(makeSimulatedDriver(scenario, parameters.frames)),
         start_(scenario.start) {
     node_.setCallbackQueue(&queue_);
     ros::NodeHandle private_node("~");
     private_node.setCallbackQueue(&queue_);
-    if (robot_->jointNames() != cartesianJointNames()) {
-      throw InputError("the simulator follows commands of the Cartesian robot only");
-    }
     advertise(&private_node, scenario);
   }
 
@@ -75,10 +78,11 @@ class SimulatorNode {
     wrench_ = node_.advertise<geometry_msgs::WrenchStamped>(names::kWrench, names::kStreamQueue);
     joints_ = node_.advertise<sensor_msgs::JointState>(names::kJointStates, names::kStreamQueue);
     tf_ = node_.advertise<tf2_msgs::TFMessage>(names::kTf, names::kStreamQueue);
+    tf_static_ = node_.advertise<tf2_msgs::TFMessage>(names::kTfStatic, names::kLatestQueue, true);
     clock_ = node_.advertise<rosgraph_msgs::Clock>(names::kClock, names::kStreamQueue);
     scene_ =
         node_.advertise<visualization_msgs::MarkerArray>(names::kScene, names::kLatestQueue, true);
-    scene_.publish(sceneMarkers(scenario, parameters_.frames));
+    publishScene(scenario);
     const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
     command_ = node_.subscribe(names::kCommand, names::kLatestQueue, &SimulatorNode::onCommand,
                                this, hints);
@@ -87,24 +91,36 @@ class SimulatorNode {
     reset_ = private_node->advertiseService(names::kResetSimulator, &SimulatorNode::onReset, this);
   }
 
+  void publishScene(const Scenario& scenario) {
+    visualization_msgs::MarkerArray markers = sceneMarkers(scenario, parameters_.frames);
+    const visualization_msgs::MarkerArray links = driver_->linkMarkers();
+    markers.markers.insert(markers.markers.end(), links.markers.begin(), links.markers.end());
+    scene_.publish(markers);
+    tf2_msgs::TFMessage fixed;
+    fixed.transforms = driver_->fixedTransforms();
+    tf_static_.publish(fixed);
+  }
+
   void onCommand(const trajectory_msgs::JointTrajectory& message) {
-    const Result<Path> path = fromTrajectory(message);
-    if (!path) {
-      ROS_ERROR_STREAM("command refused: " << path.reason());
-    } else if (path->empty()) {
-      robot_->stop();
-    } else {
-      robot_->follow(*path);
+    leaving_ = touching_;
+    if (message.points.empty()) return robot_->stop();
+    try {
+      const std::optional<Failure> refused = robot_->followJoints(fromMessage(message));
+      if (refused) ROS_ERROR_STREAM("command refused: " << refused->reason);
+    } catch (const InputError& error) {
+      ROS_ERROR_STREAM("command refused: " << error.what());
     }
   }
 
-  /// The robot's reflex: a new contact ends the motion, whatever the planner is doing.
+  /// The robot's reflex: a new contact ends the motion, whatever the planner is doing. A motion
+  /// that was commanded in contact leads away from it, and may rub on its way.
   void onContact(const smore_msgs::ContactObservation& message) {
     acknowledged_ = std::max(acknowledged_, message.header.stamp.toSec());
     if (!lock_step_) ROS_INFO("the listener follows: lock-step");
     lock_step_ = true;
-    const bool touched = message.state == smore_msgs::ContactObservation::CONTACT;
-    if (touched && message.contact_id != last_contact_ && robot_->moving()) robot_->stop();
+    touching_ = message.state == smore_msgs::ContactObservation::CONTACT;
+    const bool fresh = touching_ && message.contact_id != last_contact_;
+    if (fresh && !leaving_ && robot_->moving()) robot_->stop();
     last_contact_ = message.contact_id;
   }
 
@@ -163,28 +179,36 @@ class SimulatorNode {
   }
 
   void step() {
-    const WrenchSample sample = robot_->advance();
+    const double time = robot_->advance().time;
     ros::Time stamp;
-    stamp.fromSec(sample.time);
-    publishTransform(sample, stamp);
+    stamp.fromSec(time);
+    publishTransforms(stamp);
     publishClock(stamp);
     publishJoints(stamp);
+    reportFault();
     geometry_msgs::WrenchStamped wrench;
     wrench.header.stamp = stamp;
-    wrench.header.frame_id = parameters_.frames.object;
-    wrench.wrench = toMessage(sample.wrench);
+    wrench.header.frame_id = driver_->sensorFrame();
+    wrench.wrench = toMessage(robot_->reading().wrench);
     wrench_.publish(wrench);
     published_ = stamp.toSec();
   }
 
-  void publishTransform(const WrenchSample& sample, const ros::Time& stamp) {
+  void publishTransforms(const ros::Time& stamp) {
     tf2_msgs::TFMessage message;
-    message.transforms.resize(1);
-    message.transforms[0].header.stamp = stamp;
-    message.transforms[0].header.frame_id = parameters_.frames.world;
-    message.transforms[0].child_frame_id = parameters_.frames.object;
-    message.transforms[0].transform = toTransform(sample.T_world_object);
+    message.transforms = driver_->poseTransforms(*robot_, stamp);
+    if ((stamp - last_links_).toSec() >= kLinkPeriod - kHalfSample) {
+      last_links_ = stamp;
+      const auto links = driver_->linkTransforms(*robot_, stamp);
+      message.transforms.insert(message.transforms.end(), links.begin(), links.end());
+    }
     tf_.publish(message);
+  }
+
+  void reportFault() {
+    const std::optional<Failure> fault = robot_->fault();
+    if (fault && !faulty_) ROS_ERROR_STREAM("the robot has stopped by itself: " << fault->reason);
+    faulty_ = fault.has_value();
   }
 
   void publishClock(const ros::Time& stamp) {
@@ -201,19 +225,27 @@ class SimulatorNode {
     message.header.stamp = stamp;
     message.name = robot_->jointNames();
     message.position = robot_->jointPositions();
+    message.velocity = robot_->jointVelocities();
+    if (const auto gripper = robot_->gripper()) {
+      message.name.push_back(gripper->joint);
+      message.position.push_back(gripper->position);
+      message.velocity.push_back(0.0);
+    }
     joints_.publish(message);
   }
 
   static constexpr double kWarningPeriod = 5.0;  // [s]
+  static constexpr double kLinkPeriod = 0.04;    // [s] between the frames of the links, for display
   static constexpr double kStartUp = 5.0;  // [s]; nodes that start together find one another in it
   static constexpr double kCatchUp = 0.1;  // [s]; what is lost beyond is not made good
 
   SimulatorParameters parameters_;
   std::unique_ptr<SimulatedRobot> robot_;
+  std::unique_ptr<SimulatedDriver> driver_;
   Pose start_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
-  ros::Publisher wrench_, joints_, tf_, clock_, scene_;
+  ros::Publisher wrench_, joints_, tf_, tf_static_, clock_, scene_;
   ros::Subscriber command_, contact_;
   ros::ServiceServer reset_;
   double published_ = 0.0;     ///< stamp of the last sample [s]
@@ -221,9 +253,13 @@ class SimulatorNode {
   bool lock_step_ = false;     ///< from the listener's first observation on
   ros::WallTime begin_ = ros::WallTime::now();
   std::uint32_t last_contact_ = 0;
+  bool touching_ = false;  ///< by the newest observation
+  bool leaving_ = false;   ///< whether it touched when the present motion was commanded
   Throttle warning_{kWarningPeriod};
   ros::WallTime next_step_;
   ros::Time last_clock_;
+  ros::Time last_links_;
+  bool faulty_ = false;
 };
 
 void runSimulator() {

@@ -12,7 +12,8 @@ BELOW = {
     "scenario": {"common"},
     "mapping": {"common", "contact", "scenario"},
     "planning": {"common", "contact", "scenario", "mapping"},
-    "simulation": {"common", "contact", "scenario"},
+    "kinematics": {"common", "scenario"},
+    "simulation": {"common", "contact", "scenario", "kinematics"},
     "retrieval": {"common", "contact", "scenario", "mapping", "planning"},
 }
 BELOW["experiment"] = set(BELOW) | {"retrieval"}

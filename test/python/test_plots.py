@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Both plotting programs draw what they are given, and name what they cannot read.
+"""Programs that plot draw what they are given, and name what they cannot read.
 
     test_plots.py PROGRAM_THAT_WRITES_TREES
 """
@@ -70,6 +70,51 @@ class PlotsTest(unittest.TestCase):
         result = run("plot_results.py", *files, "--output", picture)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.expect_picture(picture)
+
+    def test_growth_of_the_belief(self):
+        table = self.folder / "growth.csv"
+        table.write_text("contacts,free_poses,free_pose_s,update_s,memory_mb\n"
+                         "20,900,1e-4,0.4,40\n40,2000,2e-4,0.8,80\n")
+        picture = self.folder / "growth.png"
+        result = run("plot_growth.py", "--output", picture, f"in space={table}")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.expect_picture(picture)
+        self.assertIn("NAME=TABLE", run("plot_growth.py", "--output", picture, table).stderr)
+
+    def test_table_of_an_ablation(self):
+        for name, collisions, reached in (("nothing", 8.0, True), ("extents", 40.0, False)):
+            (self.folder / name).mkdir()
+            content = {"scenario": "scene", "trials": [{"success": reached}, {"success": True}],
+                       "summary": {"collisions": {"mean": collisions}}}
+            (self.folder / name / "smore_scene.json").write_text(json.dumps(content))
+        result = run("table_of_ablation.py", self.folder / "nothing", self.folder / "extents")
+        self.assertEqual(result.stdout.splitlines(), [
+            "| without | scene |", "|---|---|", "| nothing | 8.0 |", "| extents | 40.0 (1 of 2) |"])
+
+    def test_reliability_of_motions(self):
+        # In each bin as many motions touch as their risk says, but for the last, where none does.
+        sure = [{"risk": 0.0, "touched": False}] * 10
+        even = [{"risk": 0.5, "touched": i % 2 == 0} for i in range(20)]
+        wrong = [{"risk": 1.0, "touched": False}] * 10
+        files = []
+        for name, motions in (("calibrated", sure + even), ("wrong", wrong)):
+            files.append(self.folder / f"{name}.json")
+            files[-1].write_text(json.dumps({"trials": [{"motions": motions}]}))
+        picture = self.folder / "reliability.png"
+        result = run("plot_reliability.py", files[0], "--output", picture)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("30 motions", result.stdout)
+        self.assertIn("calibration error 0.000", result.stdout)
+        self.expect_picture(picture)
+        result = run("plot_reliability.py", *files, "--output", picture)
+        self.assertIn("calibration error 0.250", result.stdout)
+
+    def test_results_without_motions_are_an_error(self):
+        other = self.folder / "empty.json"
+        other.write_text('{"trials": []}')
+        result = run("plot_reliability.py", other, "--output", self.folder / "no.png")
+        self.assertEqual(result.returncode, 1)
+        self.assertNotIn("Traceback", result.stderr)
 
     def test_a_file_that_is_no_result_is_an_error(self):
         other = self.folder / "other.json"

@@ -93,9 +93,9 @@ class WristSource:
         self.wrench = rospy.Publisher("wrench", WrenchStamped, queue_size=10000, tcp_nodelay=True)
         self.tf = rospy.Publisher("/tf", TFMessage, queue_size=10000, tcp_nodelay=True)
 
-    def wait_for_listener(self):
+    def wait_for_listener(self, listeners=1):
         return wait_until(
-            lambda: self.wrench.get_num_connections() > 0 and self.tf.get_num_connections() > 0
+            lambda: min(p.get_num_connections() for p in (self.wrench, self.tf)) >= listeners
         )
 
     def send(self, force=(0, 0, 0), torque=(0, 0, 0), at=None, frame="object", with_pose=True):

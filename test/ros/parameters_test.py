@@ -64,6 +64,13 @@ class Parameters(unittest.TestCase):
                     "colour: unknown key",
                 )  # fmt: skip
 
+    def test_the_guard_tells_all_problems_together(self):
+        parameters = shipped("guard")
+        del parameters["max_torque"]
+        parameters["max_force"] = -1.0
+        parameters["colour"] = "blue"
+        self.refused("guard", parameters, "max_torque: missing", "max_force", "colour: unknown key")
+
     def test_scenarios_that_cannot_be_read_are_named(self):
         for node in NODES:
             parameters = shipped(node)

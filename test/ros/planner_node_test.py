@@ -13,18 +13,19 @@ from visualization_msgs.msg import MarkerArray
 
 from node_testing import Recorder, pose, stamped, start_node
 from observations import ObservationSource
-from smore.srv import CheckPose, PlanPath, PlanPathRequest
+from smore.srv import CheckPose, PlanPath, PlanPathRequest, PlanTouch
 
 
 class PlannerNode(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         start_node("planner_node_test")
-        for service in ("plan_path", "check_pose", "reset"):
+        for service in ("plan_path", "plan_touch", "check_pose", "reset"):
             rospy.wait_for_service(service, 30.0)
         cls.source = ObservationSource()
         assert cls.source.wait_for_listener()
         cls.plan_path = rospy.ServiceProxy("plan_path", PlanPath)
+        cls.plan_touch = rospy.ServiceProxy("plan_touch", PlanTouch)
         cls.check_pose = rospy.ServiceProxy("check_pose", CheckPose)
 
     def plan(self, start=None, goal=None, not_before=rospy.Time()):
@@ -56,6 +57,16 @@ class PlannerNode(unittest.TestCase):
         answer = self.plan(not_before=stamp)
         self.assertTrue(answer.success, answer.message)
         self.assertGreater(answer.revision, before)
+
+    def test_touches_begin_where_the_object_is_and_know_the_newest_contact(self):
+        stamp = self.source.touch()
+        answer = self.plan_touch(start=stamped(pose()), not_before=stamp)
+        self.assertTrue(answer.success, answer.message)
+        self.assertAlmostEqual(answer.path.poses[0].pose.position.x, 0.0)
+        self.assertGreaterEqual(len(answer.path.poses), 2)
+        answer = self.plan_touch(start=stamped(pose(), "base"), not_before=stamp)
+        self.assertFalse(answer.success)
+        self.assertIn("'base'", answer.message)
 
     def test_it_never_plans_on_stale_maps(self):
         later = rospy.Time.from_sec(self.source.time + 50.0)

@@ -9,15 +9,18 @@ import actionlib
 import rospy
 import rostest
 from nav_msgs.msg import Path
+from sensor_msgs.msg import JointState
+from std_msgs.msg import String
 from std_srvs.srv import Trigger
 from trajectory_msgs.msg import JointTrajectory
 
-from node_testing import Recorder, pose, stamped, start_node
+from node_testing import Recorder, pose, stamped, start_node, wait_until
 from observations import ObservationSource
 from smore.msg import ContactObservation, RetrieveAction, RetrieveGoal
 from smore.srv import PlanPath, PlanPathResponse
 
 DEADLINE = rospy.Duration(30.0)
+JOINTS = ["x_joint", "y_joint", "z_joint", "yaw_joint", "pitch_joint", "roll_joint"]
 
 
 class FakeArm:
@@ -29,6 +32,7 @@ class FakeArm:
         self.x = 0.0
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._run)
+        self._joints = rospy.Publisher("joint_states", JointState, queue_size=10)
         self._command = rospy.Subscriber("command", JointTrajectory, self._follow)
 
     def _follow(self, message):
@@ -39,7 +43,11 @@ class FakeArm:
             if self.target is not None:
                 step = max(-0.0004, min(0.0004, self.target - self.x))  # 0.2 m/s
                 self.x += step
-            self.source.publish(self.source.next(ContactObservation.FREE, self.x))
+            observation = self.source.next(ContactObservation.FREE, self.x)
+            joints = JointState(name=JOINTS, position=[self.x, 0, 0, 0, 0, 0])
+            joints.header.stamp = observation.header.stamp
+            self._joints.publish(joints)
+            self.source.publish(observation)
 
     def __enter__(self):
         self._thread.start()
@@ -49,6 +57,7 @@ class FakeArm:
         self._stop.set()
         self._thread.join()
         self._command.unregister()
+        self._joints.unregister()
 
 
 class RetrievalNode(unittest.TestCase):
@@ -95,6 +104,17 @@ class RetrievalNode(unittest.TestCase):
         self.assertEqual(result.collisions, 0)
         self.assertEqual(result.plans, 1)
         self.assertAlmostEqual(result.path_length, 0.3, 2)
+
+    def test_a_fault_of_the_guard_ends_it_at_once_with_its_reason(self):
+        guard = rospy.Publisher("guard/fault", String, queue_size=1, latch=True)
+        guard.publish("the force is 45 N")
+        with FakeArm():
+            result = self.retrieve()
+            guard.publish("")
+            again = wait_until(lambda: self.retrieve().success)
+        self.assertFalse(result.success)
+        self.assertIn("the force is 45 N", result.message)
+        self.assertTrue(again)
 
     def test_it_asks_for_plans_on_maps_as_new_as_what_it_felt(self):
         with FakeArm():

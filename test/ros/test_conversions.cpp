@@ -146,51 +146,32 @@ TEST(Conversions, PathsComeBack) {
   for (size_t i = 0; i < path.size(); ++i) EXPECT_TRUE((*back)[i].isApprox(path[i], 1e-12));
 }
 
-TEST(Conversions, CartesianJointsAndPosesAreOne) {
-  RandomPoses random;
-  for (int i = 0; i < 200; ++i) {
-    const Pose pose = random.pose();
-    EXPECT_TRUE(fromCartesianJoints(toCartesianJoints(pose)).isApprox(pose, 1e-9));
-  }
-  for (const double pitch : {M_PI_2, -M_PI_2}) {
-    const Pose upright = makePose({1.0, 2.0, 3.0}, {0.4, pitch, -0.9});
-    EXPECT_TRUE(fromCartesianJoints(toCartesianJoints(upright)).isApprox(upright, 1e-6));
+TEST(Conversions, TrajectoriesComeBackAsTheyWere) {
+  JointTrajectory trajectory;
+  trajectory.joint_names = {"one", "two"};
+  trajectory.points = {{0.0, {0.1, 0.2}, {0.0, 0.0}}, {1.5, {0.3, -0.2}, {}}};
+  const JointTrajectory back = fromMessage(toMessage(trajectory));
+  EXPECT_EQ(back.joint_names, trajectory.joint_names);
+  ASSERT_EQ(back.points.size(), trajectory.points.size());
+  for (size_t i = 0; i < back.points.size(); ++i) {
+    EXPECT_DOUBLE_EQ(back.points[i].time, trajectory.points[i].time);
+    EXPECT_EQ(back.points[i].positions, trajectory.points[i].positions);
+    EXPECT_EQ(back.points[i].velocities, trajectory.points[i].velocities);
   }
 }
 
-TEST(Conversions, TrajectoriesAreTimedBySpeedAndComeBackInAnyJointOrder) {
-  const Path path = {makePose({0, 0, 0}), makePose({0.2, 0, 0}),
-                     makePose({0.2, 0, 0}, {0, 0, 1.0})};
-  trajectory_msgs::JointTrajectory message = toTrajectory(path, 0.1, 0.5);
-  ASSERT_EQ(message.points.size(), 3U);
-  EXPECT_DOUBLE_EQ(message.points[0].time_from_start.toSec(), 0.0);
-  EXPECT_DOUBLE_EQ(message.points[1].time_from_start.toSec(), 2.0);
-  EXPECT_DOUBLE_EQ(message.points[2].time_from_start.toSec(), 4.0);
-  std::reverse(message.joint_names.begin(), message.joint_names.end());
-  for (auto& point : message.points) std::reverse(point.positions.begin(), point.positions.end());
-  const Result<Path> back = fromTrajectory(message);
-  ASSERT_TRUE(back);
-  for (size_t i = 0; i < path.size(); ++i) EXPECT_TRUE((*back)[i].isApprox(path[i], 1e-12));
-}
-
-TEST(Conversions, BadTrajectoriesAreRefusedAndEmptyOnesMeanStop) {
-  EXPECT_TRUE(fromTrajectory(trajectory_msgs::JointTrajectory())->empty());
-  const auto good = toTrajectory({Pose::Identity()}, 0.1, 0.5);
-  auto bad = good;
-  bad.joint_names[2] = "elbow";
-  EXPECT_FALSE(fromTrajectory(bad));
-  bad = good;
-  bad.joint_names[2] = bad.joint_names[0];
-  EXPECT_FALSE(fromTrajectory(bad));
-  bad = good;
-  bad.joint_names.emplace_back("gripper");
-  EXPECT_FALSE(fromTrajectory(bad));
-  bad = good;
-  bad.points[0].positions.pop_back();
-  EXPECT_FALSE(fromTrajectory(bad));
-  bad = good;
-  bad.points[0].positions[1] = kNan;
-  EXPECT_FALSE(fromTrajectory(bad));
+TEST(Conversions, JointStatesComeInTheOrderAskedForAmongOthers) {
+  sensor_msgs::JointState state;
+  state.name = {"finger", "two", "one"};
+  state.position = {0.5, 2.0, 1.0};
+  const auto positions = fromMessage(state, {"one", "two"});
+  ASSERT_TRUE(positions);
+  EXPECT_EQ(*positions, (std::vector<double>{1.0, 2.0}));
+  EXPECT_FALSE(fromMessage(state, {"one", "three"}));
+  state.position = {0.5, kNan, 1.0};
+  EXPECT_FALSE(fromMessage(state, {"one", "two"}));
+  state.position.resize(1);
+  EXPECT_FALSE(fromMessage(state, {"one", "two"}));
 }
 
 TEST(ParameterSource, ParameterServerValuesBecomeYaml) {

@@ -6,12 +6,14 @@
 #include <geometry_msgs/Transform.h>
 #include <geometry_msgs/Wrench.h>
 #include <nav_msgs/Path.h>
+#include <sensor_msgs/JointState.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
 #include <string>
 #include <vector>
 
 #include "smore/common/geometry.h"
+#include "smore/common/joint_trajectory.h"
 #include "smore/common/result.h"
 #include "smore/contact/contact_observation.h"
 #include "smore/ros/messages.h"
@@ -46,21 +48,13 @@ Wrench fromMessage(const geometry_msgs::Wrench& message);
 Result<ContactObservation> fromMessage(const smore_msgs::ContactObservation& message);
 Result<Path> fromMessage(const nav_msgs::Path& message);
 
-/// Names of the Cartesian robot's joints in their order from the world to the hand: prismatic along
-/// x, y and z, then revolute about z (yaw), y (pitch) and x (roll).
-const std::vector<std::string>& cartesianJointNames();
+trajectory_msgs::JointTrajectory toMessage(const JointTrajectory& trajectory);
+/// Values as they are; who follows the trajectory checks them.
+JointTrajectory fromMessage(const trajectory_msgs::JointTrajectory& message);
 
-/// Joint positions of the Cartesian robot at a pose, in the order of the names [m, rad].
-std::vector<double> toCartesianJoints(const Pose& T_world_object);
-/// Pose of six joint positions in the order of the names [m, rad].
-Pose fromCartesianJoints(const std::vector<double>& positions);
-
-/// The command that moves the Cartesian robot along `path`; points are timed by the given speeds
-/// [m/s, rad/s], the first at 0. An empty path is the command to stop.
-trajectory_msgs::JointTrajectory toTrajectory(const Path& path, double linear_speed,
-                                              double angular_speed);
-/// The path of a command, its joints in any order. A failure for unknown, missing or double joints
-/// and for positions that are not finite. No points: an empty path.
-Result<Path> fromTrajectory(const trajectory_msgs::JointTrajectory& message);
+/// Positions of the joints `names` in this order. A failure where one is missing or not finite;
+/// other joints (a gripper's) may be among them.
+Result<std::vector<double>> fromMessage(const sensor_msgs::JointState& message,
+                                        const std::vector<std::string>& names);
 
 }  // namespace smore

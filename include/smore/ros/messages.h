@@ -21,6 +21,7 @@
 #include <smore/Evidence.h>
 #include <smore/LineOfAction.h>
 #include <smore/PlanPath.h>
+#include <smore/PlanTouch.h>
 #include <smore/RetrieveAction.h>
 #include <smore/SaveMaps.h>
 #include <smore/TwinMaps.h>

@@ -41,6 +41,9 @@ class MethodReplica {
   /// `relaxed`: as Planner::planRelaxed. Plans carry their trees.
   Result<Plan> plan(const Pose& start, const Pose& goal, bool relaxed = false);
 
+  /// As TouchPlanner::nextTouch.
+  Result<Path> nextTouch(const Pose& from) { return method_.touches->nextTouch(from); }
+
   /// `known_free` is a pose where the object stands free: the start.
   PoseAssessment assess(const Pose& T_world_object, const Pose& known_free) const;
 

@@ -11,6 +11,7 @@ constexpr char kWrench[] = "wrench";
 constexpr char kWrenchCompensated[] = "wrench_compensated";
 constexpr char kContact[] = "contact";
 constexpr char kCommand[] = "command";
+constexpr char kGuardedCommand[] = "guarded_command";
 constexpr char kJointStates[] = "joint_states";
 constexpr char kScene[] = "scene";
 constexpr char kClock[] = "/clock";
@@ -28,17 +29,24 @@ constexpr char kContactLines[] = "contact_lines";
 constexpr char kTwinMaps[] = "twin_maps";
 constexpr char kResetMaps[] = "reset";
 constexpr char kSaveMaps[] = "save_maps";
-constexpr char kTare[] = "tare";             ///< in the listener's private namespace
+constexpr char kTare[] = "tare";                         ///< in the listener's private namespace
+constexpr char kIdentifyPayload[] = "identify_payload";  ///< there too
+constexpr char kGuardFault[] = "guard/fault";
+constexpr char kListenerTare[] = "force_torque/tare";
+constexpr char kListenerIdentifyPayload[] = "force_torque/identify_payload";
 constexpr char kResetSimulator[] = "reset";  ///< in the simulator's private namespace
 
 constexpr char kPlanPath[] = "plan_path";
+constexpr char kPlanTouch[] = "plan_touch";
 constexpr char kCheckPose[] = "check_pose";
 constexpr char kPath[] = "path";
 constexpr char kPathMarkers[] = "path_risk";
 constexpr char kPlanTree[] = "plan_tree";
 
 constexpr char kRetrieve[] = "retrieve";
-constexpr char kStop[] = "stop";
+constexpr char kStop[] = "stop";    ///< in the guard's private namespace too
+constexpr char kClear[] = "clear";  ///< in the guard's private namespace
+constexpr char kFault[] = "fault";  ///< the same
 
 /// Sensor streams: 2 s at 500 Hz, so that a listener that is late for a moment loses nothing.
 constexpr std::uint32_t kStreamQueue = 1000;

@@ -5,30 +5,36 @@
 #include <ros/ros.h>
 
 #include <atomic>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "smore/common/motion_progress.h"
 #include "smore/common/robot.h"
+#include "smore/common/trail.h"
+#include "smore/kinematics/joint_commands.h"
 #include "smore/ros/conversions.h"
+#include "smore/ros/fault_listener.h"
+#include "smore/ros/joint_listener.h"
 #include "smore/ros/observation_stream.h"
 
 namespace smore {
 
 struct RosRobotParameters {
-  double linear_speed = 0.1;     ///< of the object frame, as the robot moves [m/s], positive
-  double angular_speed = 0.5;    ///< [rad/s], positive
   double silence_timeout = 5.0;  ///< wall time without an observation that is a fault [s]
   double ready_timeout = 60.0;   ///< wall time to wait for a tared sensor at the start [s]
+  std::string zero_service;      ///< zeroes the driver's wrench before the tare; empty: none
   std::string reset_service;     ///< sets the robot to the start; empty: it retreats all the way
 };
 
-/// A robot behind `command` and `contact`, whose observations say where it is and what it touches.
+/// A robot behind `command`, `joint_states` and `contact`, whose observations say where the object
+/// is and what it touches.
 ///
-/// The robot stops at contact by its own reflex; this sends a stop as well. An arrival is a pose at
-/// the end of the path that stays, not before the time that the path takes.
+/// The robot stops at contact by its own reflex; this sends a stop as well.
 class RosRobot : public Robot {
  public:
-  explicit RosRobot(const RosRobotParameters& parameters);
+  RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCommands> commands);
 
   /// Waits until the sensor is tared and touches nothing and the robot takes commands; what is
   /// missing where that does not come, else empty.
@@ -39,6 +45,10 @@ class RosRobot : public Robot {
   MotionResult retreat(double distance) override;
   MotionResult reset(const Pose& start) override;
 
+  /// Waits for `duration` [s of sample time, at most 2] while the robot stands; false where
+  /// observations stay out or the user asks for the stop.
+  bool standStill(double duration);
+
   /// Stamp of the newest observation [s]: maps that hold it know all that happened.
   double stamp() const;
 
@@ -48,32 +58,40 @@ class RosRobot : public Robot {
   void clearStop() { stop_requested_ = false; }
 
  private:
-  enum class Step { kGoOn, kArrived, kContact, kFault };
+  enum class Step { kGoOn, kArrived, kStalled, kContact, kFault };
   struct Motion;
 
   std::string missingBeside(const ContactObservation& observation);
+  /// Why the guard has stopped the robot; empty: it has not.
+  std::string guardFault() const;
   /// Nothing if none comes within the silence timeout, or the user asks for the stop meanwhile.
   std::optional<ContactObservation> nextObservation();
   Motion begin(const Path& path);
   Step advance(Motion* motion);
-  void send(const Path& path);
+  /// One motion along `back`, to its end or until the robot stands.
+  MotionResult goBack(const Path& back);
   void halt();
   MotionResult end(const Motion& motion, MotionEnd how);
+  /// Stops the robot; by the user's wish or at a fault.
+  MotionResult endStopped(const Motion& motion);
   void settleInContact(Motion* motion);
   bool waitUntilFree();
   bool waitUntilAt(const Pose& target);
-  void recordTrail(const Pose& pose);
-  Path takeTrail(double distance);
+  /// Until an observation fulfils the condition; false if none does within the deadline.
+  bool waitUntil(const std::function<bool(const ContactObservation&)>& condition);
 
   RosRobotParameters parameters_;
+  std::unique_ptr<JointCommands> commands_;
   ObservationStream stream_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
+  JointListener joints_;
+  FaultListener guard_;
   ros::Publisher command_;
   ros::Subscriber contact_;
   ros::ServiceClient reset_;
   ros::AsyncSpinner spinner_{1, &queue_};
-  Path trail_;  ///< way from the last reset to here
+  Trail trail_;  ///< since the last reset
   std::atomic<bool> stop_requested_{false};
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <std_msgs/ColorRGBA.h>
+#include <urdf_model/model.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <string>
@@ -17,6 +18,9 @@ namespace smore {
 /// One marker for each shape of the true scene: the environment in the world frame, the object in
 /// the object frame, so that it moves with the hand. Stamped 0: valid at all times.
 visualization_msgs::MarkerArray sceneMarkers(const Scenario& scenario, const FrameNames& frames);
+
+/// The visual shapes of a robot, each in the frame of its link. Meshes are left out. Stamped 0.
+visualization_msgs::MarkerArray robotMarkers(const urdf::ModelInterface& urdf);
 
 /// The lines of action as one marker, each `half_length` [m] to either side of its point, in the
 /// object frame.

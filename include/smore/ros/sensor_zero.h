@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+
+#include <string>
+
+namespace smore {
+
+/// Zeroes the wrist sensor by its driver's service (std_srvs/Trigger) and has the listener tare
+/// anew. The object must hang free. Waits for each service up to `timeout` [s of wall time]; why it
+/// failed, else empty.
+std::string zeroSensor(ros::NodeHandle* node, const std::string& zero_service, double timeout);
+
+}  // namespace smore

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <string>
+
+#include "smore/contact/contact_sensing.h"
+#include "smore/ros/conversions.h"
+
+namespace smore {
+
+struct ForceTorqueParameters {
+  FrameNames frames;
+  double transform_timeout = 0.5;  ///< sample time that a wrench waits for its pose [s]
+  double silence_timeout = 2.0;    ///< wall time without a wrench before a warning [s]
+  double tare_timeout = 10.0;      ///< wall time that the services wait [s]
+  ContactSensingParameters sensing;
+};
+
+/// Reads the parameters of config/force_torque.yaml, with what a scenario fixes taken from it.
+/// InputError with every problem; `source` names the node in it.
+ForceTorqueParameters readForceTorqueParameters(const YAML::Node& mapping,
+                                                const std::string& source);
+
+}  // namespace smore

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/ros/payload_tilts.h"
+
+#include <std_srvs/Trigger.h>
+
+#include <limits>
+
+#include "smore/contact/payload_identification.h"
+#include "smore/ros/names.h"
+
+namespace smore {
+namespace {
+
+// The listener averages half a second once the robot has stood for a quarter (StillPoses) [s].
+constexpr double kStandTime = 1.0;
+
+std::string standAt(RosRobot* robot, const Pose& tilted) {
+  const MotionResult there = robot->follow({robot->pose(), tilted});
+  if (there.end == MotionEnd::kReached && !robot->standStill(kStandTime)) {
+    return "no observations came while the robot stood";
+  }
+  if (there.end == MotionEnd::kFault || there.end == MotionEnd::kStopped) return there.reason;
+  const MotionResult back = robot->retreat(std::numeric_limits<double>::infinity());
+  if (there.end == MotionEnd::kContact) {
+    return "something touched; give the object room at the start, or tilt it less (payload_tilt)";
+  }
+  if (there.end == MotionEnd::kUnreachable) return there.reason;
+  return back.end == MotionEnd::kReached ? "" : back.reason;
+}
+
+}  // namespace
+
+std::string identifyPayloadByTilting(RosRobot* robot, ros::NodeHandle* node, double tilt) {
+  const std::string failed = "the payload is not identified: ";
+  if (!robot->standStill(kStandTime)) return failed + "no observations came while the robot stood";
+  for (const Pose& tilted : payloadTilts(robot->pose(), tilt)) {
+    const std::string problem = standAt(robot, tilted);
+    if (!problem.empty()) return failed + problem;
+  }
+  ros::ServiceClient identify =
+      node->serviceClient<std_srvs::Trigger>(names::kListenerIdentifyPayload);
+  std_srvs::Trigger call;
+  if (!identify.call(call)) call.response.message = "'" + identify.getService() + "' fails";
+  return call.response.success != 0 ? "" : failed + call.response.message;
+}
+
+}  // namespace smore

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/ros/remote_planner.h"
+
+#include "smore/ros/conversions.h"
+#include "smore/ros/messages.h"
+#include "smore/ros/names.h"
+
+namespace smore {
+namespace {
+
+geometry_msgs::PoseStamped stamped(const Pose& pose, const std::string& frame) {
+  geometry_msgs::PoseStamped message;
+  message.header.frame_id = frame;
+  message.pose = toMessage(pose);
+  return message;
+}
+
+Failure noAnswer(const std::string& service) {
+  return Failure{"the service '" + service + "' does not answer; is the planner node up?"};
+}
+
+}  // namespace
+
+RemotePlanner::RemotePlanner(const std::string& world_frame, const RosRobot* robot)
+    : world_frame_(world_frame), robot_(robot) {
+  client_ = node_.serviceClient<smore_msgs::PlanPath>(names::kPlanPath);
+}
+
+bool RemotePlanner::waitUntilReady(double timeout) {
+  return client_.waitForExistence(ros::Duration(timeout));
+}
+
+Result<Plan> RemotePlanner::plan(const Pose& start, const Pose& goal) {
+  return ask(start, goal, false);
+}
+
+Result<Plan> RemotePlanner::planRelaxed(const Pose& start, const Pose& goal) {
+  return ask(start, goal, true);
+}
+
+Result<Plan> RemotePlanner::ask(const Pose& start, const Pose& goal, bool relaxed) {
+  smore_msgs::PlanPath call;
+  call.request.start = stamped(start, world_frame_);
+  call.request.goal = stamped(goal, world_frame_);
+  call.request.relaxed = static_cast<unsigned char>(relaxed);
+  call.request.not_before.fromSec(robot_->stamp());
+  if (!client_.call(call)) return noAnswer(client_.getService());
+  if (call.response.success == 0) return Failure{call.response.message};
+  const Result<Path> path = fromMessage(call.response.path);
+  if (!path) return Failure{path.reason()};
+  return Plan{*path, call.response.risk};
+}
+
+RemoteTouchPlanner::RemoteTouchPlanner(const std::string& world_frame, const RosRobot* robot)
+    : world_frame_(world_frame), robot_(robot) {
+  client_ = node_.serviceClient<smore_msgs::PlanTouch>(names::kPlanTouch);
+}
+
+Result<Path> RemoteTouchPlanner::nextTouch(const Pose& from) {
+  smore_msgs::PlanTouch call;
+  call.request.start = stamped(from, world_frame_);
+  call.request.not_before.fromSec(robot_->stamp());
+  if (!client_.call(call)) return noAnswer(client_.getService());
+  if (call.response.enough != 0) return Path();
+  if (call.response.success == 0) return Failure{call.response.message};
+  return fromMessage(call.response.path);
+}
+
+}  // namespace smore

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/ros/sensor_zero.h"
+
+#include <std_srvs/Trigger.h>
+
+#include "smore/ros/names.h"
+
+namespace smore {
+
+std::string zeroSensor(ros::NodeHandle* node, const std::string& zero_service, double timeout) {
+  for (const std::string& name : {zero_service, std::string(names::kListenerTare)}) {
+    ros::ServiceClient client = node->serviceClient<std_srvs::Trigger>(name);
+    std_srvs::Trigger call;
+    if (!client.waitForExistence(ros::Duration(timeout)) || !client.call(call) ||
+        call.response.success == 0) {
+      return "the service '" + client.getService() + "' failed: " + call.response.message;
+    }
+  }
+  return "";
+}
+
+}  // namespace smore

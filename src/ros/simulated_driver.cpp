@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulated_driver.h"
+
+#include <map>
+
+#include "smore/kinematics/arm_motion.h"
+#include "smore/ros/robot_frames.h"
+#include "smore/ros/scene_markers.h"
+
+namespace smore {
+namespace {
+
+/// The Cartesian robot has no links: its hand is the object frame.
+class CartesianDriver : public SimulatedDriver {
+ public:
+  explicit CartesianDriver(const FrameNames& frames) : frames_(frames) {}
+
+  std::string sensorFrame() const override { return frames_.object; }
+  Transforms fixedTransforms() const override { return {}; }
+  Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const override {
+    return {stampedTransform(frames_.world, frames_.object, robot.pose(), stamp)};
+  }
+  Transforms linkTransforms(const SimulatedRobot& /*robot*/,
+                            const ros::Time& /*stamp*/) const override {
+    return {};
+  }
+  visualization_msgs::MarkerArray linkMarkers() const override { return {}; }
+
+ private:
+  FrameNames frames_;
+};
+
+/// Frames as ur_robot_driver and robot_state_publisher give them: the sensor's frame under the
+/// controller's frame `base`, at each sample; links under base_link.
+class ArmDriver : public SimulatedDriver {
+ public:
+  ArmDriver(const Scenario& scenario, const FrameNames& frames)
+      : frames_(frames),
+        T_world_base_link_(scenario.T_world_base),
+        urdf_(ur5eUrdf()),
+        arm_(urdf_, armMotionParameters(scenario)) {
+    const KinematicTree& tree = arm_.model().tree();
+    T_base_base_link_ =
+        arm_.model().linkPoses(JointVector::Zero())[tree.linkIndex(kController)].inverse();
+  }
+
+  std::string sensorFrame() const override { return names().tool; }
+
+  Transforms fixedTransforms() const override {
+    Transforms transforms = gripTransforms(arm_, T_world_base_link_, frames_);
+    transforms.push_back(
+        stampedTransform(names().base, kController, T_base_base_link_.inverse(), ros::Time()));
+    return transforms;
+  }
+
+  Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const override {
+    const Pose T_base_link_tool = arm_.model().toolPose(toJointVector(robot.jointPositions()));
+    return {
+        stampedTransform(kController, names().tool, T_base_base_link_ * T_base_link_tool, stamp)};
+  }
+
+  Transforms linkTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const override {
+    Transforms transforms;
+    const std::vector<Pose> poses = arm_.model().tree().linkPoses(treePositions(robot));
+    const std::vector<TreeLink>& links = arm_.model().tree().links();
+    for (size_t i = 0; i < links.size(); ++i) {
+      const std::string& link = links[i].name;
+      if (link == names().base || link == names().tool || link == kController) continue;
+      transforms.push_back(stampedTransform(names().base, link, poses[i], stamp));
+    }
+    return transforms;
+  }
+
+  visualization_msgs::MarkerArray linkMarkers() const override { return robotMarkers(*urdf_); }
+
+ private:
+  /// The frame that a controller of Universal Robots calls its base.
+  static constexpr char kController[] = "base";
+
+  /// Positions of all joints of the description, the gripper's too.
+  std::vector<double> treePositions(const SimulatedRobot& robot) const {
+    std::map<std::string, double> known;
+    const std::vector<std::string> joints = robot.jointNames();
+    const std::vector<double> positions = robot.jointPositions();
+    for (size_t i = 0; i < joints.size(); ++i) known[joints[i]] = positions[i];
+    if (const auto gripper = robot.gripper()) known[gripper->joint] = gripper->position;
+    std::vector<double> result;
+    for (const std::string& joint : arm_.model().tree().jointNames()) {
+      result.push_back(known[joint]);
+    }
+    return result;
+  }
+
+  const ArmFrames& names() const { return arm_.model().frames(); }
+
+  FrameNames frames_;
+  Pose T_world_base_link_;
+  Pose T_base_base_link_ = Pose::Identity();  ///< from the driver's base to the URDF's base_link
+  UrdfModel urdf_;
+  ArmMotion arm_;
+};
+
+}  // namespace
+
+std::unique_ptr<SimulatedDriver> makeSimulatedDriver(const Scenario& scenario,
+                                                     const FrameNames& frames) {
+  if (scenario.robot == RobotKind::kUr5e) return std::make_unique<ArmDriver>(scenario, frames);
+  return std::make_unique<CartesianDriver>(frames);
+}
+
+}  // namespace smore

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/TransformStamped.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "smore/ros/conversions.h"
+#include "smore/scenario/scenario.h"
+#include "smore/simulation/simulated_robot.h"
+
+namespace smore {
+
+/// What the driver of the real robot broadcasts beside wrench and joint states.
+class SimulatedDriver {
+ public:
+  using Transforms = std::vector<geometry_msgs::TransformStamped>;
+
+  virtual ~SimulatedDriver() = default;
+
+  /// The frame that wrenches are given in.
+  virtual std::string sensorFrame() const = 0;
+
+  /// Transforms that never change.
+  virtual Transforms fixedTransforms() const = 0;
+
+  /// What must be known at each sample: it gives the object's pose.
+  virtual Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const = 0;
+
+  /// Frames of the robot's links, for display.
+  virtual Transforms linkTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const = 0;
+
+  /// The robot's links, in their frames.
+  virtual visualization_msgs::MarkerArray linkMarkers() const = 0;
+};
+
+std::unique_ptr<SimulatedDriver> makeSimulatedDriver(const Scenario& scenario,
+                                                     const FrameNames& frames);
+
+}  // namespace smore

@@ -1,0 +1,39 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""An arm that tilts its object finds the weight first, and feels none of it afterwards."""
+
+import unittest
+
+import actionlib
+import rospy
+import rostest
+from geometry_msgs.msg import WrenchStamped
+
+from node_testing import Recorder, start_node
+from smore.msg import ContactObservation, RetrieveAction, RetrieveGoal
+
+DEADLINE = rospy.Duration(0)  # the test's time limit decides
+
+
+class TiltedGoal(unittest.TestCase):
+    def test_the_goal_is_reached_without_feeling_the_weight(self):
+        start_node("tilted_goal_test")
+        contact = Recorder("contact", ContactObservation)
+        compensated = Recorder("wrench_compensated", WrenchStamped)
+        client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
+        client.wait_for_server()
+        client.send_goal(RetrieveGoal())
+        client.wait_for_result(DEADLINE)
+        result = client.get_result()
+        self.assertTrue(result.success, result.message)
+        self.assertEqual(result.collisions, 0, "weight was taken for contact")
+        free = contact.wait_for(lambda message: message.state == ContactObservation.FREE)
+        self.assertIsNotNone(free)
+        compensated.clear()
+        force = compensated.wait_for(lambda message: True).wrench.force
+        for component in (force.x, force.y, force.z):
+            self.assertLess(abs(component), 1.5)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("smore", "tilted_goal", TiltedGoal)
