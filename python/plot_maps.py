@@ -233,9 +233,9 @@ def legend(figure, has_path):
     if has_path:
         entries.insert(3, Line2D([], [], color=PATH_COLORS(0.5), lw=2.2, label="last path"))
     figure.legend(handles=entries, loc="lower center", ncols=len(entries), frameon=False)
-    # The legend's line of the figure, which the layout would give to the panels.
-    legend_height = 0.06 * 5.6 / figure.get_size_inches()[1]
-    figure.get_layout_engine().set(rect=(0.0, legend_height, 1.0, 1.0 - legend_height))
+    # The lines of the legend and of the title, which the layout would give to the panels.
+    line = 0.06 * 5.6 / figure.get_size_inches()[1]
+    figure.get_layout_engine().set(rect=(0.0, line, 1.0, 1.0 - 2.0 * line))
 
 
 def main():

@@ -1,0 +1,91 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Compares the risk of planned motions with how many of them touched, from JSON files of smore_experiment.
+
+    plot_reliability.py --output FILE.png RESULT.json [RESULT.json ...]
+
+Motions of all files are put together and sorted into ten bins of risk. A dot stands at a bin's mean risk
+and its share of motions that touched, with a 95 % interval (Wilson's); bars count the motions. The
+expected calibration error is the mean distance of the dots from the diagonal, weighted by the motions.
+"""
+import argparse
+import json
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+BINS = 10
+QUANTILE = 1.96  # of the normal distribution, for 95 %
+BLUE = "#3b6fb6"
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description="Draws the reliability diagram of planned motions.")
+    parser.add_argument("results", nargs="+", help="JSON files of smore_experiment")
+    parser.add_argument("--output", required=True, help="picture to write")
+    return parser.parse_args()
+
+
+def read(files):
+    """Risks, and whether each motion touched."""
+    trials = [trial for file in files for trial in json.loads(pathlib.Path(file).read_text())["trials"]]
+    motions = [motion for trial in trials for motion in trial["motions"]]
+    if not motions:
+        raise ValueError("there is no planned motion in the results")
+    return np.array([m["risk"] for m in motions]), np.array([m["touched"] for m in motions], dtype=float)
+
+
+def binned(risk, touched):
+    """Of each bin that is not empty: mean risk, share that touched, number of motions."""
+    place = np.minimum((risk * BINS).astype(int), BINS - 1)
+    bins = [place == i for i in range(BINS) if np.any(place == i)]
+    return np.array([(risk[b].mean(), touched[b].mean(), b.sum()) for b in bins]).T
+
+
+def wilson(share, count):
+    """Lower and upper end of the interval for a share of `count`."""
+    squared = QUANTILE**2
+    center = (share + squared / (2 * count)) / (1 + squared / count)
+    half = np.sqrt(share * (1 - share) / count + squared / (4 * count**2)) / (1 + squared / count) * QUANTILE
+    return center - half, center + half
+
+
+def draw(risk, touched):
+    stated, found, count = binned(risk, touched)
+    error = np.sum(np.abs(stated - found) * count) / len(risk)
+    low, high = wilson(found, count)
+    figure, (axes, below) = plt.subplots(
+        2, 1, figsize=(4.8, 6.0), sharex=True, height_ratios=(3, 1), layout="constrained"
+    )
+    axes.plot([0, 1], [0, 1], color="#7a7a7a", linestyle="--", linewidth=1.0)
+    axes.errorbar(stated, found, yerr=np.clip([found - low, high - found], 0, None), fmt="o", color=BLUE, capsize=3)
+    axes.set(ylabel="share that touched", xlim=(0, 1), ylim=(-0.02, 1.02))
+    axes.set_title(f"{len(risk)} planned motions, expected calibration error {error:.3f}", fontsize=10)
+    below.hist(risk, bins=BINS, range=(0, 1), color=BLUE, alpha=0.6)
+    below.set(xlabel="risk that the plan stated", ylabel="motions")
+    return figure, error
+
+
+def main():
+    options = arguments()
+    try:
+        risk, touched = read(options.results)
+    except (OSError, ValueError, KeyError) as error:
+        print(f"plot_reliability.py: no results of planned motions: {error!r}", file=sys.stderr)
+        return 1
+    figure, error = draw(risk, touched)
+    figure.savefig(options.output, dpi=120)
+    print(f"{len(risk)} motions, {touched.mean():.3f} touched, mean risk {risk.mean():.3f}, "
+          f"expected calibration error {error:.3f}")
+    for stated, found, count in binned(risk, touched).T:
+        print(f"  risk {stated:.2f}: touched {found:.2f} of {count:.0f}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
