@@ -26,8 +26,21 @@ constexpr double kStep = 0.01;         // of the motions [m]
 constexpr double kSurfaceStep = 0.02;  // between the points that stand for the object's surface [m]
 constexpr int kMotionsPerContact = 1000;
 
-// Processor time of this process: other load on the machine does not count.
-double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+// What passes between two readings, in seconds.
+struct Times {
+  double processor;  ///< of this process on all cores: other load on the machine does not count
+  double wall;
+};
+
+Times now() {
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now().time_since_epoch();
+  return {static_cast<double>(std::clock()) / CLOCKS_PER_SEC, wall.count()};
+}
+
+Times since(const Times& begin) {
+  const Times end = now();
+  return {end.processor - begin.processor, end.wall - begin.wall};
+}
 
 // Points on the surface of the object, in its frame.
 std::vector<Vec3> surfaceOf(const std::vector<Shape>& shapes) {
@@ -125,8 +138,8 @@ double memoryInMegabytes() {
 bool isReported(int contacts) { return contacts <= 100 ? contacts % 20 == 0 : contacts % 100 == 0; }
 
 struct Cost {
-  double free_pose_s = 0.0;  ///< mean over the free poses since the last contact
-  double contact_s = 0.0;    ///< to take the contact in, merging included
+  double free_pose_s = 0.0;   ///< mean over the free poses since the last contact
+  Times contact_s{0.0, 0.0};  ///< to take the contact in, merging included
 };
 
 // Feeds motions until one ends in a contact.
@@ -138,11 +151,11 @@ Cost feedUntilContact(RandomTouch* touch, JointBelief* belief) {
     // Motions that begin in matter are none.
     if (observations.empty() || observations.front().state == ContactState::kContact) continue;
     for (const ContactObservation& observation : observations) {
-      const double begin = seconds();
+      const Times begin = now();
       belief->observe(observation);
-      const double taken = seconds() - begin;
+      const Times taken = since(begin);
       if (observation.state == ContactState::kContact) return {free_s / free, taken};
-      free_s += taken;
+      free_s += taken.processor;
       ++free;
     }
   }
@@ -161,14 +174,12 @@ void run(const Scenario& scenario, int contacts, int most_contacts) {
     const Cost cost = feedUntilContact(&touch, &belief);
     const int count = static_cast<int>(belief.contactCount());
     if (!isReported(count)) continue;
-    const double begin = seconds();
-    const auto wall_begin = std::chrono::steady_clock::now();
+    const Times begin = now();
     belief.world();
-    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_begin;
-    const double update_s = cost.contact_s + seconds() - begin;
+    const Times update = since(begin);
     std::cout << count << ',' << belief.freeSpace().poses().size() << ',' << cost.free_pose_s << ','
-              << update_s << ',' << cost.contact_s + wall.count() << ',' << memoryInMegabytes()
-              << std::endl;
+              << cost.contact_s.processor + update.processor << ','
+              << cost.contact_s.wall + update.wall << ',' << memoryInMegabytes() << std::endl;
   }
 }
 

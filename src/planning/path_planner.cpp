@@ -10,7 +10,6 @@
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 
-#include <chrono>
 #include <memory>
 #include <mutex>
 #include <sstream>
@@ -18,6 +17,7 @@
 
 #include "motion_state_space.h"
 #include "nearest_forest.h"
+#include "smore/common/deadline.h"
 
 namespace smore {
 namespace {
@@ -69,13 +69,12 @@ class SeededRrt : public og::RRT {
 class Budget {
  public:
   explicit Budget(const PathPlannerParameters& parameters)
-      : parameters_(parameters), begin_(std::chrono::steady_clock::now()) {}
+      : parameters_(parameters), deadline_(parameters.time_limit_s) {}
 
   /// To be asked once for each sample.
   bool isUsedUp() {
     if (++asked_ > parameters_.max_iterations) return true;
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-    timed_out_ = timed_out_ || elapsed.count() > parameters_.time_limit_s;
+    timed_out_ = timed_out_ || deadline_.passed();
     return timed_out_;
   }
 
@@ -91,7 +90,7 @@ class Budget {
 
  private:
   PathPlannerParameters parameters_;
-  std::chrono::steady_clock::time_point begin_;
+  Deadline deadline_;
   int asked_ = 0;
   bool timed_out_ = false;
 };

@@ -32,9 +32,10 @@ double RiskPath::valueOf(const MotionCost& total) const {
 }
 
 void RiskPath::improve(const RiskSpace& space, int attempts, double distance,
-                       CounterRandom* random) {
-  for (int i = 0; i < attempts && states_.size() > 2; ++i) tryShortcut(random);
-  for (int i = 0; i < attempts && states_.size() > 2; ++i) tryMove(space, distance, random);
+                       const Deadline& deadline, CounterRandom* random) {
+  for (int i = 0; i < 2 * attempts && states_.size() > 2 && !deadline.passed(); ++i) {
+    i < attempts ? tryShortcut(random) : tryMove(space, distance, random);
+  }
 }
 
 void RiskPath::tryShortcut(CounterRandom* random) {

@@ -33,6 +33,7 @@ struct RiskPlanner::Search {
   RiskState start;
   RiskState goal;
   CounterRandom random;
+  Deadline deadline;
   std::vector<TreeEdge> edges = {};
 };
 
@@ -51,7 +52,7 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
 Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   Search search{RiskMotions(belief_->worlds(), parameters_.lever, space_.fullTurns()),
                 space_.toState(start), space_.toState(goal),
-                CounterRandom(mixBits(seed_, calls_++))};
+                CounterRandom(mixBits(seed_, calls_++)), Deadline(parameters_.time_limit)};
   if (!space_.contains(search.start)) return Failure{"the start is outside of the workspace"};
   if (!space_.contains(search.goal)) return Failure{"the goal is outside of the workspace"};
   const std::vector<RiskPath> paths = climb(&search);
@@ -74,11 +75,13 @@ std::vector<RiskPath> RiskPlanner::climb(Search* search) const {
   for (const double rung : kRungs) {
     const int limit = static_cast<int>(rung * kHypotheses);
     for (int k = 0; k < parameters_.paths; ++k) {
+      if (!paths.empty() && search->deadline.passed()) return paths;
       if (!paths.empty()) trees = plant(*search);
-      auto states = connect(&trees, limit, parameters_.iterations, &search->random);
+      auto states = connect(&trees, limit, search);
       if (!states) break;
       paths.emplace_back(search->motions, parameters_.objective, std::move(*states));
-      paths.back().improve(space_, parameters_.improvements, kMoveDistance, &search->random);
+      paths.back().improve(space_, parameters_.improvements, kMoveDistance, search->deadline,
+                           &search->random);
     }
     if (static_cast<int>(paths.size()) >= parameters_.paths) break;
   }
@@ -126,12 +129,14 @@ void RiskPlanner::plantTracks(RiskTree* tree) const {
   }
 }
 
-std::optional<std::vector<RiskState>> RiskPlanner::connect(Trees* trees, int limit, int iterations,
-                                                           CounterRandom* random) const {
-  for (int i = 0; i < iterations; ++i) {
+std::optional<std::vector<RiskState>> RiskPlanner::connect(Trees* trees, int limit,
+                                                           Search* search) const {
+  for (int i = 0; i < parameters_.iterations; ++i) {
+    // Where everything is allowed, the trees meet at once.
+    if (limit < kHypotheses && search->deadline.passed()) return std::nullopt;
     RiskTree& grown = i % 2 == 0 ? trees->from_start : trees->from_goal;
     RiskTree& other = i % 2 == 0 ? trees->from_goal : trees->from_start;
-    const RiskState sample = draw(grown, random);
+    const RiskState sample = draw(grown, &search->random);
     if (!space_.contains(sample)) continue;
     const RiskTree::Extension extension = grown.extend(sample, limit);
     if (extension.growth == RiskTree::Growth::kNone) continue;

@@ -17,6 +17,7 @@ constexpr Range kSweeps{0, 1000};
 constexpr Range kContacts{10, 1e5};
 constexpr Range kCount{1, 1e6};
 constexpr Range kTries{0, 1e6};
+constexpr Range kSeconds{1e-3, 1e6};  // of wall time
 
 ParameterSection beliefSection(JointBeliefParameters* belief) {
   FeatureParameters& feature = belief->feature;
@@ -47,6 +48,7 @@ ParameterSection plannerSection(RiskPlannerParameters* planner) {
           {{"iterations", &planner->iterations, kCount},
            {"paths", &planner->paths, kCount},
            {"improvements", &planner->improvements, kTries},
+           {"time_limit", &planner->time_limit, kSeconds},
            {"step", &planner->step, kLength},
            {"lever", &planner->lever, kLength},
            {"touch_cost", &planner->objective.touch_cost, kStrength},

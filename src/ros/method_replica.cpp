@@ -9,8 +9,11 @@
 
 namespace smore {
 
-MethodReplica::MethodReplica(MethodKind kind, const Scenario& scenario, std::uint64_t seed)
-    : kind_(kind), scenario_(scenario), seed_(seed), method_(makeMethod(kind, scenario, seed)) {
+MethodReplica::MethodReplica(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
+                             const RiskPlannerParameters& planner)
+    : kind_(kind), scenario_(scenario), seed_(seed) {
+  parameters_.planner = planner;
+  method_ = makeMethod(kind_, scenario_, seed_, parameters_);
   first_revision_ = method_.maps->revision();
 }
 
@@ -62,7 +65,7 @@ std::vector<double> MethodReplica::risksAlong(const Path& path) const {
 }
 
 void MethodReplica::restart(std::uint64_t epoch) {
-  method_ = makeMethod(kind_, scenario_, seed_);
+  method_ = makeMethod(kind_, scenario_, seed_, parameters_);
   first_revision_ = method_.maps->revision();
   epoch_ = epoch;
   size_ = 0;

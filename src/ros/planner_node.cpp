@@ -21,6 +21,7 @@ struct PlannerNodeParameters {
   MethodKind method = MethodKind::kSmore;
   int seed = 1;
   double maps_timeout = 30.0;  ///< wall time to wait for maps that are new enough [s]
+  RiskPlannerParameters search;
 };
 
 PlannerNodeParameters readParameters(ParameterReader* reader) {
@@ -29,6 +30,7 @@ PlannerNodeParameters readParameters(ParameterReader* reader) {
   parameters.method = readMethod(reader);
   reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
   reader->number("maps_timeout", &parameters.maps_timeout, {0.1, 3600.0});
+  reader->number("time_limit", &parameters.search.time_limit, {0.01, 3600.0});
   return parameters;
 }
 
@@ -52,7 +54,7 @@ class PlannerNode {
   PlannerNode(const PlannerNodeParameters& parameters, const Scenario& scenario)
       : parameters_(parameters),
         start_(scenario.start),
-        replica_(parameters.method, scenario, parameters.seed) {
+        replica_(parameters.method, scenario, parameters.seed, parameters.search) {
     maps_ = node_.serviceClient<smore_msgs::TwinMaps>(names::kTwinMaps);
     path_ = node_.advertise<nav_msgs::Path>(names::kPath, names::kLatestQueue, true);
     markers_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPathMarkers,

@@ -81,7 +81,7 @@ TEST_P(RiskPlannerIn, ImprovesAPathByItsOwnMeasure) {
   RiskPath path(motions, parameters.objective, states);
   const double before = path.value();
   CounterRandom random(3);
-  path.improve(space, 40, 0.05, &random);
+  path.improve(space, 40, 0.05, Deadline(60.0), &random);
   EXPECT_LT(path.value(), before);
   const RiskPath anew(motions, parameters.objective, path.states());
   EXPECT_NEAR(path.value(), anew.value(), 1e-4);
@@ -120,6 +120,29 @@ TEST_P(RiskPlannerIn, TheSameSeedGivesTheSamePaths) {
   for (std::size_t i = 0; i < a->path.size(); ++i) {
     EXPECT_EQ(a->path[i].matrix(), b->path[i].matrix());
   }
+}
+
+// Whatever little time there is, there is a path; and no more than the samples say is used.
+TEST_P(RiskPlannerIn, TakesTheBestPathAtTheDeadline) {
+  JointBelief belief = emptyBelief(GetParam());
+  block(0.3, &belief);
+  RiskPlannerParameters hasty;
+  hasty.time_limit = 1e-9;
+  RiskPlanner without_time(belief, spaceOf(GetParam()), hasty, 1);
+  const auto any = without_time.plan(kStart, kGoal);
+  ASSERT_TRUE(any);
+  EXPECT_TRUE(any->path.front().isApprox(kStart));
+  EXPECT_TRUE(any->path.back().isApprox(kGoal));
+
+  RiskPlannerParameters endless;
+  endless.iterations = 1000000;
+  endless.paths = 1000000;
+  endless.time_limit = 0.5;
+  RiskPlanner until_the_limit(belief, spaceOf(GetParam()), endless, 1);
+  const auto best = until_the_limit.plan(kStart, kGoal);
+  ASSERT_TRUE(best);
+  EXPECT_LT(ContactRisk(belief).along(best->path), 0.5)
+      << "half a second is enough for a way round";
 }
 
 TEST_P(RiskPlannerIn, SaysWhyThereIsNoPlan) {

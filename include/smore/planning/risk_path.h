@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "smore/common/deadline.h"
 #include "smore/mapping/counter_random.h"
 #include "smore/planning/risk_motion.h"
 #include "smore/planning/risk_space.h"
@@ -33,8 +34,9 @@ class RiskPath {
   double risk() const { return shareOf(total_.touching); }
 
   /// Tries `attempts` random shortcuts, then as many random moves of inner states in `space`, each
-  /// within `distance` [m]; what makes J smaller stays.
-  void improve(const RiskSpace& space, int attempts, double distance, CounterRandom* random);
+  /// within `distance` [m]; what makes J smaller stays. Ends early at the deadline.
+  void improve(const RiskSpace& space, int attempts, double distance, const Deadline& deadline,
+               CounterRandom* random);
 
  private:
   void tryShortcut(CounterRandom* random);

@@ -19,8 +19,11 @@ struct RiskPlannerParameters {
   int iterations = 1500;  ///< samples for each tree on each rung of the ladder of risk, at least 1
   int paths = 4;          ///< paths of which the best is taken, at least 1
   int improvements = 60;  ///< shortcuts, and moves, tried on each path
-  double step = 0.12;     ///< longest edge of the trees, in the metric of the search [m]
-  double lever = 0.3;     ///< what a radian counts in that metric: half of a held thing's reach [m]
+  /// Wall time of a search after which the best path so far is taken; where there is none yet, one
+  /// at any risk [s].
+  double time_limit = 60.0;
+  double step = 0.12;  ///< longest edge of the trees, in the metric of the search [m]
+  double lever = 0.3;  ///< what a radian counts in that metric: half of a held thing's reach [m]
   RiskObjective objective;
 };
 
@@ -28,9 +31,11 @@ struct RiskPlannerParameters {
 /// the limit raised rung by rung until there are paths; of these, improved by shortcuts and moves,
 /// the one with the best objective over the joint samples (docs/planning.md). There is always a
 /// path unless start or goal lie outside of the workspace: at the last rung everything is allowed.
+///
+/// The same seed and the same calls give the same paths, unless the time limit ends a search.
 class RiskPlanner : public Planner {
  public:
-  /// `belief` is a view. The same seed and the same calls give the same paths.
+  /// `belief` is a view.
   RiskPlanner(const JointBelief& belief, const MotionSpace& space,
               const RiskPlannerParameters& parameters, std::uint64_t seed);
 
@@ -41,8 +46,7 @@ class RiskPlanner : public Planner {
   struct Trees;
   std::vector<RiskPath> climb(Search* search) const;
   Trees plant(const Search& search) const;
-  std::optional<std::vector<RiskState>> connect(Trees* trees, int limit, int iterations,
-                                                CounterRandom* random) const;
+  std::optional<std::vector<RiskState>> connect(Trees* trees, int limit, Search* search) const;
   RiskState draw(const RiskTree& tree, CounterRandom* random) const;
   void plantTracks(RiskTree* tree) const;
   void keepEdges(const Trees& trees, Search* search) const;

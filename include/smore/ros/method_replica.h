@@ -27,7 +27,9 @@ struct PoseAssessment {
 /// The same belief as in a mapping node, made from the same evidence, with a planner on it.
 class MethodReplica {
  public:
-  MethodReplica(MethodKind kind, const Scenario& scenario, std::uint64_t seed);
+  /// `planner`: what the method smore plans with.
+  MethodReplica(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
+                const RiskPlannerParameters& planner = {});
 
   /// What to ask the mapping for.
   std::uint64_t epoch() const { return epoch_; }
@@ -59,6 +61,7 @@ class MethodReplica {
   MethodKind kind_;
   Scenario scenario_;
   std::uint64_t seed_;
+  MethodParameters parameters_;
   Method method_;
   std::uint64_t epoch_ = 0;
   std::uint64_t size_ = 0;
