@@ -182,16 +182,24 @@ SMORE_WIDE_VECTORS void GibbsChain::addAttraction(int contact, const PointArray&
   flush();
 }
 
-void GibbsChain::countConflicts(int contact, Row* conflicts) const {
-  BitCounts<std::tuple_size<CandidateBits>::value> counts;
+SMORE_WIDE_VECTORS void GibbsChain::countConflicts(int contact, Row* conflicts) const {
+  // The rows lie far apart in memory: all are asked for before the first is needed.
+  std::vector<const CandidateBits*> rows;
+  rows.reserve(2 * contacts_->size());
+  const auto take = [&rows](const CandidateBits& row) {
+    __builtin_prefetch(&row);
+    rows.push_back(&row);
+  };
   for (std::size_t l = 0; l < contacts_->size(); ++l) {
     if (places_[l] == kFalseContact || static_cast<int>(l) == contact) continue;
     const int other = static_cast<int>(l);
     const ConflictTable* on_object = evidence_->conflicts(contact, other);
     const ConflictTable* in_world = evidence_->conflicts(other, contact);
-    if (on_object != nullptr) counts.add(on_object->by_world[places_[l]]);
-    if (in_world != nullptr) counts.add(in_world->by_object[places_[l]]);
+    if (on_object != nullptr) take(on_object->by_world[places_[l]]);
+    if (in_world != nullptr) take(in_world->by_object[places_[l]]);
   }
+  BitCounts<std::tuple_size<CandidateBits>::value> counts;
+  for (const CandidateBits* row : rows) counts.add(*row);
   const int count = (*contacts_)[contact].count;
   for (int i = 0; i < count; ++i) (*conflicts)[i] = static_cast<float>(counts.of(i));
   const ConflictTable* own = evidence_->conflicts(contact, contact);

@@ -13,15 +13,15 @@ namespace smore {
 template <std::size_t Words>
 class BitCounts {
  public:
-  void add(const std::array<std::uint64_t, Words>& bits) {
-    for (std::size_t word = 0; word < Words; ++word) {
-      std::uint64_t carry = bits[word];
-      for (std::size_t digit = 0; carry != 0; ++digit) {
-        std::uint64_t& digits = digits_[digit][word];
-        const std::uint64_t next = digits & carry;
-        digits ^= carry;
-        carry = next;
-        if (digit == used_) ++used_;
+  void add(std::array<std::uint64_t, Words> carry) {
+    ++sets_;
+    if ((sets_ & (sets_ - 1)) == 0) ++used_;
+    // No way out when nothing is carried any more: it would cost more than the operations.
+    for (std::size_t digit = 0; digit < used_; ++digit) {
+      for (std::size_t word = 0; word < Words; ++word) {
+        const std::uint64_t digits = digits_[digit][word];
+        digits_[digit][word] = digits ^ carry[word];
+        carry[word] &= digits;
       }
     }
   }
@@ -37,7 +37,8 @@ class BitCounts {
  private:
   static constexpr std::size_t kDigits = 20;
   std::array<std::array<std::uint64_t, Words>, kDigits> digits_{};
-  std::size_t used_ = 0;  ///< digits that are not 0 for all counts
+  std::size_t sets_ = 0;
+  std::size_t used_ = 0;  ///< digits of sets_
 };
 
 }  // namespace smore
