@@ -4,8 +4,7 @@
 namespace smore {
 namespace {
 
-// A robot at its target is this near [m + rad], and moved less than this during the last 10 ms.
-constexpr double kAtTarget = 2e-3;
+// A robot at rest moved less than this [m + rad] during the last 10 ms.
 constexpr double kAtRest = 1e-4;
 constexpr double kRestTime = 0.01;
 // Share of the motion's time before which no arrival counts.

@@ -3,13 +3,13 @@
 
 #include <octomap/octomap.h>
 
-#include <chrono>
 #include <exception>
 #include <filesystem>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
 
+#include "smore/common/elapsed_time.h"
 #include "smore/experiment/in_process_robot.h"
 #include "smore/experiment/touchable_surface.h"
 #include "smore/mapping/octomap_export.h"
@@ -19,12 +19,6 @@
 
 namespace smore {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 ContactSensingParameters sensingParameters(const Scenario& scenario) {
   ContactSensingParameters parameters;
@@ -96,7 +90,7 @@ TouchScore touchFurther(const Scenario& scene, int touches, Robot* robot, const 
 TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& parameters,
                      std::uint64_t seed, const std::atomic<bool>& interrupted,
                      const ExperimentCallback& on_progress) {
-  const auto begin = Clock::now();
+  const auto begin = SteadyClock::now();
   const Scenario scene = perturbScenario(scenario, seed);
   const auto simulated = makeSimulatedRobot(scene, seed);
   Method method = makeMethod(parameters.method, scenario, seed, parameters.method_parameters);

@@ -2,19 +2,14 @@
 #include "smore/experiment/in_process_robot.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "smore/common/elapsed_time.h"
+
 namespace smore {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 constexpr double kSettleDeadline = 2.0;  // simulated [s]; a contact settles in a tenth of it
 constexpr double kTareDeadline = 60.0;   // simulated [s]
@@ -93,11 +88,11 @@ MotionResult InProcessRobot::reset(const Pose& start) {
 }
 
 ContactObservation InProcessRobot::advance(bool report) {
-  const auto begin = Clock::now();
+  const auto begin = SteadyClock::now();
   const WrenchSample sample = robot_->advance();
   times_.simulation += secondsSince(begin);
 
-  const auto sensed = Clock::now();
+  const auto sensed = SteadyClock::now();
   const Result<ContactObservation> observation = sensing_.process(sample);
   if (!observation) throw std::runtime_error(observation.reason());
   if (report) on_observation_(*observation);

@@ -77,7 +77,7 @@ class Flood {
     std::vector<Cell> open;
     std::set<Cell> seen;
     const auto visit = [&](const Cell& cell) {
-      if (seen.insert(cell).second && isFree(poseOf(cell))) open.push_back(cell);
+      if (seen.insert(cell).second && enter(poseOf(cell))) open.push_back(cell);
     };
     visit({0, 0, 0});
     while (!open.empty()) {
@@ -101,13 +101,16 @@ class Flood {
     return scenario_.start * makePose(position, Vec3(0, 0, cell[2] * 2.0 * M_PI / kTurns));
   }
 
-  // The points that are near the other body are marked, if the pose is free.
-  bool isFree(const Pose& T_world_object) {
+  // Notes the points that are near the other body at a free pose; false where it is not free.
+  bool enter(const Pose& T_world_object) {
     if (!scenario_.motionSpace().contains(T_world_object)) return false;
     near_world_.clear();
     near_object_.clear();
-    return freeOf(world_, scenario_.object, T_world_object.inverse(), &near_world_) &&
-           freeOf(object_, scenario_.environment, T_world_object, &near_object_) && mark();
+    if (!freeOf(world_, scenario_.object, T_world_object.inverse(), &near_world_)) return false;
+    if (!freeOf(object_, scenario_.environment, T_world_object, &near_object_)) return false;
+    for (const int i : near_object_) object_touched_[i] = true;
+    for (const int i : near_world_) world_touched_[i] = true;
+    return true;
   }
 
   static bool freeOf(const std::vector<Vec3>& points, const std::vector<Shape>& other,
@@ -117,12 +120,6 @@ class Flood {
       if (distance <= 0.0) return false;
       if (distance <= kTouchDistance) near->push_back(static_cast<int>(i));
     }
-    return true;
-  }
-
-  bool mark() {
-    for (const int i : near_object_) object_touched_[i] = true;
-    for (const int i : near_world_) world_touched_[i] = true;
     return true;
   }
 

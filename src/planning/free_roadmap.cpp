@@ -26,6 +26,23 @@ void join(const Path& poses, int a, int b, Edges* edges) {
   (*edges)[b].push_back({a, length});
 }
 
+// Edges along each track, and between poses that are the same. `track_of` tells the track of each
+// pose.
+Edges edgesBetween(const Path& poses, const std::vector<int>& track_of,
+                   const FreeSpaceParameters& cell) {
+  const int count = static_cast<int>(poses.size());
+  Edges edges(count);
+  for (int i = 1; i < count; ++i) {
+    const bool is_next = track_of[i] == track_of[i - 1];
+    if (is_next) join(poses, i - 1, i, &edges);
+    const int others = is_next ? i - 1 : i;
+    for (int k = 0; k < others; ++k) {
+      if (same(poses[i], poses[k], cell)) join(poses, k, i, &edges);
+    }
+  }
+  return edges;
+}
+
 }  // namespace
 
 FreeRoadmap::FreeRoadmap(const std::vector<Path>& tracks, const Pose& from,
@@ -37,14 +54,7 @@ FreeRoadmap::FreeRoadmap(const std::vector<Path>& tracks, const Pose& from,
     track_of.insert(track_of.end(), tracks[track].size(), static_cast<int>(track));
   }
   const int count = static_cast<int>(poses.size());
-  Edges edges(count);
-  for (int i = 1; i < count; ++i) {
-    if (track_of[i] == track_of[i - 1]) join(poses, i - 1, i, &edges);
-    for (int k = 0; k < i - 1; ++k) {
-      if (same(poses[i], poses[k], cell)) join(poses, k, i, &edges);
-    }
-  }
-  if (count > 1 && same(poses[0], poses[1], cell)) join(poses, 0, 1, &edges);
+  const Edges edges = edgesBetween(poses, track_of, cell);
 
   // Dijkstra's algorithm; poses become reachable in the order of their distance.
   std::vector<double> distance(count, std::numeric_limits<double>::infinity());

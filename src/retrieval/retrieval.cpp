@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/retrieval/retrieval.h"
 
-#include <chrono>
 #include <utility>
 
+#include "smore/common/elapsed_time.h"
+
 namespace smore {
-namespace {
-
-double secondsSince(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-}  // namespace
-
 RetrievalParameters retrievalParameters(const Scenario& scenario) {
   RetrievalParameters parameters;
   parameters.start = scenario.start;
@@ -77,7 +70,7 @@ bool Retrieval::findPlan(Plan* plan) {
       return false;
     }
     enter(Phase::kPlanning);
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = SteadyClock::now();
     Result<Plan> result = planner_->plan(robot_->pose(), parameters_.goal);
     if (!result) {
       reason = result.reason();

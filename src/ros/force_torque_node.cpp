@@ -125,16 +125,19 @@ class ForceTorqueNode {
       const std::optional<WrenchSample> sample = sampleOf(waiting_.front(), &problem);
       if (sample) {
         process(*sample);
-      } else if (!precedesPoses(waiting_.front()) && !expired()) {
-        return;
       } else if (!precedesPoses(waiting_.front())) {
-        if (pose_warning_.isDue())
-          ROS_WARN_STREAM("wrench dropped, its pose is not known: "
-                          << problem << "; check that tf gives '" << parameters_.frames.object
-                          << "' in '" << parameters_.frames.world << "' with the wrench's time");
+        if (!expired()) return;
+        warnOfUnknownPose(problem);
       }
       waiting_.pop_front();
     }
+  }
+
+  void warnOfUnknownPose(const std::string& problem) {
+    if (pose_warning_.isDue())
+      ROS_WARN_STREAM("wrench dropped, its pose is not known: "
+                      << problem << "; check that tf gives '" << parameters_.frames.object
+                      << "' in '" << parameters_.frames.world << "' with the wrench's time");
   }
 
   /// Whether a wrench came just before the first pose of all, as happens when drivers start.

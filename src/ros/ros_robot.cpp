@@ -14,8 +14,6 @@ namespace {
 
 // Sample times [s]: a contact settles, and a free sensor says so, in a tenth of this.
 constexpr double kSettleDeadline = 2.0;
-// A robot at its target is this near [m + rad].
-constexpr double kAtTarget = 2e-3;
 // Between two looks at the wishes of the user while nothing comes [s of wall time].
 constexpr double kLookPeriod = 0.01;
 // Of a retreat: it goes on where it was stopped, and while something still touches.

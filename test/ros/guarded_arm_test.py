@@ -4,7 +4,6 @@
 
 import unittest
 
-import actionlib
 import rospy
 import rostest
 from sensor_msgs.msg import JointState
@@ -12,9 +11,8 @@ from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
 from node_testing import Recorder, start_node, wait_until
-from smore.msg import RetrieveAction, RetrieveGoal
+from retrieve_client import RetrieveClient
 
-DEADLINE = rospy.Duration(0)  # the test's time limit decides
 AT_REST = 1e-3  # [rad/s]
 
 
@@ -22,11 +20,8 @@ class GuardedArm(unittest.TestCase):
     def test_a_force_above_the_ceiling_stops_arm_and_retrieval(self):
         start_node("guarded_arm_test")
         fault = Recorder("guard/fault", String)
-        client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
-        client.wait_for_server()
-        client.send_goal(RetrieveGoal())
-        client.wait_for_result(DEADLINE)
-        result = client.get_result()
+        client = RetrieveClient()
+        result = client.retrieve()
         self.assertFalse(result.success)
         self.assertIn("the guard has stopped the robot: the force", result.message)
         self.assertIsNotNone(fault.wait_for(lambda message: "the force" in message.data))
@@ -35,9 +30,7 @@ class GuardedArm(unittest.TestCase):
         standing = joints.wait_for(lambda m: all(abs(v) < AT_REST for v in m.velocity))
         self.assertIsNotNone(standing, "the arm did not stop")
 
-        client.send_goal(RetrieveGoal())
-        client.wait_for_result(DEADLINE)
-        self.assertIn("the guard", client.get_result().message, "moved before the fault was cleared")
+        self.assertIn("the guard", client.retrieve().message, "moved before the fault was cleared")
 
         clear = rospy.ServiceProxy("guard/clear", Trigger)
         self.assertTrue(clear().success)

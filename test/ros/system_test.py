@@ -4,26 +4,18 @@
 
 import unittest
 
-import actionlib
-import rospy
 import rostest
 from octomap_msgs.msg import Octomap
 
 from node_testing import Recorder, start_node
-from smore.msg import RetrieveAction, RetrieveGoal
-
-DEADLINE = rospy.Duration(0)  # the test's time limit decides
+from retrieve_client import RetrieveClient
 
 
 class System(unittest.TestCase):
     def test_the_object_reaches_the_goal_after_contacts_that_the_maps_show(self):
         start_node("system_test")
-        client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
-        client.wait_for_server()
         phases = []
-        client.send_goal(RetrieveGoal(), feedback_cb=lambda feedback: phases.append(feedback.phase))
-        client.wait_for_result(DEADLINE)
-        result = client.get_result()
+        result = RetrieveClient().retrieve(lambda feedback: phases.append(feedback.phase))
         self.assertTrue(result.success, result.message)
         self.assertGreater(result.collisions, 0, "a way without a touch shows nothing")
         self.assertGreater(result.plans, result.collisions)

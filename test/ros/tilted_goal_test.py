@@ -4,15 +4,12 @@
 
 import unittest
 
-import actionlib
-import rospy
 import rostest
 from geometry_msgs.msg import WrenchStamped
 
 from node_testing import Recorder, start_node
-from smore.msg import ContactObservation, RetrieveAction, RetrieveGoal
-
-DEADLINE = rospy.Duration(0)  # the test's time limit decides
+from retrieve_client import RetrieveClient
+from smore.msg import ContactObservation
 
 
 class TiltedGoal(unittest.TestCase):
@@ -20,11 +17,7 @@ class TiltedGoal(unittest.TestCase):
         start_node("tilted_goal_test")
         contact = Recorder("contact", ContactObservation)
         compensated = Recorder("wrench_compensated", WrenchStamped)
-        client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
-        client.wait_for_server()
-        client.send_goal(RetrieveGoal())
-        client.wait_for_result(DEADLINE)
-        result = client.get_result()
+        result = RetrieveClient().retrieve()
         self.assertTrue(result.success, result.message)
         self.assertEqual(result.collisions, 0, "weight was taken for contact")
         free = contact.wait_for(lambda message: message.state == ContactObservation.FREE)

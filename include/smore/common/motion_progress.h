@@ -5,6 +5,9 @@
 
 namespace smore {
 
+/// A robot at its target is this near [m + rad] (gapBetween).
+constexpr double kAtTarget = 2e-3;
+
 enum class MotionStage {
   kUnderWay,
   kArrived,  ///< it stands at the target

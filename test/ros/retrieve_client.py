@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The user's side of the action `retrieve`."""
+
+import actionlib
+
+from smore.msg import RetrieveAction, RetrieveGoal
+
+
+class RetrieveClient:
+    """Connected to the retrieval node. The test's time limit ends what waits too long."""
+
+    def __init__(self):
+        self._client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
+        self._client.wait_for_server()
+
+    def retrieve(self, on_feedback=None):
+        """One retrieval to the scenario's goal; its result."""
+        self._client.send_goal(RetrieveGoal(), feedback_cb=on_feedback)
+        self._client.wait_for_result()
+        return self._client.get_result()
