@@ -7,6 +7,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "smore/common/finite_path.h"
 #include "smore/kinematics/trajectory_timing.h"
 
 namespace smore {
@@ -20,14 +21,6 @@ constexpr double kAngularResolution = 0.02;  // [rad]
 // where the solution has jumped to another branch.
 constexpr double kLongestJointStep = 0.4;  // [rad]
 constexpr double kAtRest = 1e-9;           // [rad]; configurations this near are one
-
-void requireFinite(const Path& path) {
-  if (!std::all_of(path.begin(), path.end(), [](const Pose& pose) { return isFinite(pose); })) {
-    throw InputError(
-        "a pose of the path has a value that is not finite; send finite positions and a unit "
-        "quaternion");
-  }
-}
 
 std::string text(const Pose& pose) {
   const Vec3 p = pose.translation();
@@ -141,7 +134,7 @@ JointVector ArmMotion::nearestTurns(const JointVector& q) const {
   for (int i = 0; i < kArmJoints; ++i) {
     const JointLimits& limits = arm_.limits()[static_cast<size_t>(i)];
     const double middle = 0.5 * (limits.min + limits.max);
-    turned[i] = middle + std::remainder(q[i] - middle, 2.0 * M_PI);
+    turned[i] = middle + wrapped(q[i] - middle);
   }
   return turned;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "smore/common/geometry.h"
+
 namespace smore {
 namespace {
 
@@ -18,7 +20,7 @@ constexpr int kPasses = 4;
 
 // In (-pi, pi] [rad].
 double turnAboutZ(const Eigen::Quaternionf& rotation) {
-  return std::remainder(2.0 * std::atan2(rotation.z(), rotation.w()), 2.0 * M_PI);
+  return wrapped(2.0 * std::atan2(rotation.z(), rotation.w()));
 }
 
 }  // namespace

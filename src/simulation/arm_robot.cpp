@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "smore/common/finite_path.h"
 #include "smore/common/result.h"
 
 namespace smore {
@@ -87,9 +88,7 @@ std::optional<Failure> ArmRobot::checkLimits(const JointTrajectory& trajectory) 
 void ArmRobot::stop() { joints_.stop(jointPositions()); }
 
 void ArmRobot::place(const Pose& T_world_object) {
-  if (!isFinite(T_world_object)) {
-    throw InputError("a commanded pose has a value that is not finite; send finite values");
-  }
+  requireFinite({T_world_object});
   const std::vector<double> q = toList(configurationAt(motion_, T_world_object));
   arm_.place(q);
   joints_.stop(q);

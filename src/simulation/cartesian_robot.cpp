@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cartesian_robot.h"
 
+#include "smore/common/finite_path.h"
 #include "smore/common/result.h"
 #include "smore/kinematics/cartesian_joints.h"
 
@@ -10,14 +11,6 @@ namespace {
 constexpr double kStep = 0.001;        // [s]
 constexpr int kSubstepsPerSample = 2;  // 500 Hz, as the UR5e's wrist sensor
 
-void requireFinite(const Pose& pose) {
-  if (!isFinite(pose)) {
-    throw InputError(
-        "a commanded pose has a value that is not finite; send finite positions and "
-        "a unit quaternion");
-  }
-}
-
 }  // namespace
 
 CartesianRobot::CartesianRobot(const Scenario& scenario, std::uint64_t seed, double sensor_cutoff)
@@ -26,7 +19,7 @@ CartesianRobot::CartesianRobot(const Scenario& scenario, std::uint64_t seed, dou
       sensor_(scenario.wrench_noise, kSubstepsPerSample * kStep, seed, {}, sensor_cutoff) {}
 
 std::optional<Failure> CartesianRobot::follow(const Path& path) {
-  for (const Pose& pose : path) requireFinite(pose);
+  requireFinite(path);
   hand_.follow(path);
   return std::nullopt;
 }
@@ -42,7 +35,7 @@ std::optional<Failure> CartesianRobot::moveGripper(double /*position*/) {
 }
 
 void CartesianRobot::place(const Pose& T_world_object) {
-  requireFinite(T_world_object);
+  requireFinite({T_world_object});
   hand_.place(T_world_object);
   object_.place(T_world_object);
 }
