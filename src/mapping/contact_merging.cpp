@@ -11,7 +11,10 @@ class Coverage {
  public:
   Coverage(const std::vector<ContactHypotheses>& contacts,
            const std::vector<Explanation>& explanations, const DistributionParameters& parameters)
-      : contacts_(contacts), explanations_(explanations), parameters_(parameters) {}
+      : contacts_(contacts),
+        explanations_(explanations),
+        object_(parameters.object),
+        world_(parameters.world) {}
 
   /// How well the contacts `others` say what contact k says, from 0 to 1.
   float of(int k, const std::vector<int>& others) const {
@@ -27,23 +30,22 @@ class Coverage {
     float world = 0.0F;
     for (const int l : others) {
       if (l == k || explanation[l] == kFalseContact) continue;
-      object = std::max(object,
-                        kernel(contacts_[k].object.at(explanation[k]),
-                               contacts_[l].object.at(explanation[l]), parameters_.object.scale));
-      world =
-          std::max(world, kernel(contacts_[k].world.at(explanation[k]),
-                                 contacts_[l].world.at(explanation[l]), parameters_.world.scale));
+      object = std::max(object, object_(contacts_[k].object.at(explanation[k]) -
+                                            contacts_[l].object.at(explanation[l]),
+                                        contacts_[k].object_normal.at(explanation[k]),
+                                        contacts_[l].object_normal.at(explanation[l])));
+      world = std::max(world, world_(contacts_[k].world.at(explanation[k]) -
+                                         contacts_[l].world.at(explanation[l]),
+                                     contacts_[k].world_normal.at(explanation[k]),
+                                     contacts_[l].world_normal.at(explanation[l])));
     }
     return std::min(object, world);
   }
 
-  static float kernel(const Eigen::Vector3f& a, const Eigen::Vector3f& b, double scale) {
-    return attractionKernel((a - b).squaredNorm() / static_cast<float>(scale * scale));
-  }
-
   const std::vector<ContactHypotheses>& contacts_;
   const std::vector<Explanation>& explanations_;
-  const DistributionParameters& parameters_;
+  AttractionKernel object_;
+  AttractionKernel world_;
 };
 
 }  // namespace

@@ -21,11 +21,25 @@ namespace {
 // the largest float for any base above 0.01.
 constexpr int kFactorsPerLog = 12;
 
-float squaredScale(const AttractionParameters& attraction) {
-  return static_cast<float>(attraction.scale * attraction.scale);
+}  // namespace
+
+GibbsChain::Side::Side(std::size_t contacts, const AttractionParameters& attraction)
+    : kernel(attraction),
+      base(static_cast<float>(attraction.base)),
+      centers(contacts, Eigen::Vector3f::Zero()),
+      normals(contacts, Eigen::Vector3f::Zero()),
+      sums(contacts, 0.0F) {}
+
+void GibbsChain::Side::place(int contact, const PointArray& places, const PointArray& its_normals,
+                             int place) {
+  centers[contact] = places.at(place);
+  normals[contact] = its_normals.at(place);
+  sums[contact] = 0.0F;
 }
 
-}  // namespace
+float GibbsChain::Side::between(int a, int b) const {
+  return kernel(centers[a] - centers[b], normals[a], normals[b]);
+}
 
 GibbsChain::GibbsChain(const std::vector<ContactHypotheses>& contacts,
                        const FreeSpaceEvidence& evidence, const DistributionParameters& parameters)
@@ -33,10 +47,8 @@ GibbsChain::GibbsChain(const std::vector<ContactHypotheses>& contacts,
       evidence_(&evidence),
       parameters_(&parameters),
       places_(contacts.size(), kFalseContact),
-      object_(contacts.size(), Eigen::Vector3f::Zero()),
-      world_(contacts.size(), Eigen::Vector3f::Zero()),
-      object_sums_(contacts.size(), 0.0F),
-      world_sums_(contacts.size(), 0.0F) {}
+      object_(contacts.size(), parameters.object),
+      world_(contacts.size(), parameters.world) {}
 
 void GibbsChain::sweep(double heat, std::uint64_t seed) {
   for (const int contact : visitOrder(seed)) {
@@ -58,17 +70,13 @@ std::vector<int> GibbsChain::visitOrder(std::uint64_t seed) const {
 }
 
 void GibbsChain::changeSums(int contact, float sign) {
-  const float object_scale = squaredScale(parameters_->object);
-  const float world_scale = squaredScale(parameters_->world);
-  for (std::size_t l = 0; l < contacts_->size(); ++l) {
-    if (places_[l] == kFalseContact || static_cast<int>(l) == contact) continue;
-    const float object =
-        attractionKernel((object_[l] - object_[contact]).squaredNorm() / object_scale);
-    const float world = attractionKernel((world_[l] - world_[contact]).squaredNorm() / world_scale);
-    object_sums_[l] = std::max(0.0F, object_sums_[l] + sign * object);
-    world_sums_[l] = std::max(0.0F, world_sums_[l] + sign * world);
-    object_sums_[contact] += object;
-    world_sums_[contact] += world;
+  for (Side* side : {&object_, &world_}) {
+    for (std::size_t l = 0; l < contacts_->size(); ++l) {
+      if (places_[l] == kFalseContact || static_cast<int>(l) == contact) continue;
+      const float kernel = side->between(static_cast<int>(l), contact);
+      side->sums[l] = std::max(0.0F, side->sums[l] + sign * kernel);
+      side->sums[contact] += kernel;
+    }
   }
 }
 
@@ -81,10 +89,9 @@ void GibbsChain::remove(int contact) {
 void GibbsChain::add(int contact, int place) {
   places_[contact] = static_cast<std::int16_t>(place);
   if (place == kFalseContact) return;
-  object_[contact] = (*contacts_)[contact].object.at(place);
-  world_[contact] = (*contacts_)[contact].world.at(place);
-  object_sums_[contact] = 0.0F;
-  world_sums_[contact] = 0.0F;
+  const ContactHypotheses& touched = (*contacts_)[contact];
+  object_.place(contact, touched.object, touched.object_normal, place);
+  world_.place(contact, touched.world, touched.world_normal, place);
   changeSums(contact, 1.0F);
 }
 
@@ -115,8 +122,8 @@ double GibbsChain::binding() const {
   int conflicts = 0;
   for (std::size_t k = 0; k < contacts_->size(); ++k) {
     if (places_[k] == kFalseContact) continue;
-    log_attraction += std::log1p(object_sums_[k] / parameters_->object.base) +
-                      std::log1p(world_sums_[k] / parameters_->world.base);
+    log_attraction +=
+        std::log1p(object_.sums[k] / object_.base) + std::log1p(world_.sums[k] / world_.base);
     for (std::size_t l = 0; l < contacts_->size(); ++l) {
       if (places_[l] == kFalseContact) continue;
       const ConflictTable* table = evidence_->conflicts(static_cast<int>(k), static_cast<int>(l));
@@ -132,10 +139,9 @@ double GibbsChain::binding() const {
 void GibbsChain::logWeights(int contact, double heat, Row* log_weight) const {
   Row attraction{};
   Row conflicts{};
-  addAttraction(contact, (*contacts_)[contact].object, object_, object_sums_, parameters_->object,
-                &attraction);
-  addAttraction(contact, (*contacts_)[contact].world, world_, world_sums_, parameters_->world,
-                &attraction);
+  const ContactHypotheses& touched = (*contacts_)[contact];
+  addAttraction(contact, object_, touched.object, touched.object_normal, &attraction);
+  addAttraction(contact, world_, touched.world, touched.world_normal, &attraction);
   countConflicts(contact, &conflicts);
   const auto exponent = static_cast<float>(heat * parameters_->exponent);
   const auto cost = static_cast<float>(heat * parameters_->conflict_cost);
@@ -147,14 +153,12 @@ void GibbsChain::logWeights(int contact, double heat, Row* log_weight) const {
 
 // The innermost loop of all: wider vectors where the processor has them. They round alike, since
 // multiplications and additions stay apart.
-SMORE_WIDE_VECTORS void GibbsChain::addAttraction(int contact, const PointArray& places,
-                                                  const std::vector<Eigen::Vector3f>& at,
-                                                  const std::vector<float>& sums,
-                                                  const AttractionParameters& attraction,
+SMORE_WIDE_VECTORS void GibbsChain::addAttraction(int contact, const Side& side,
+                                                  const PointArray& places,
+                                                  const PointArray& normals,
                                                   Row* log_weight) const {
   const int count = (*contacts_)[contact].count;
-  const auto base = static_cast<float>(attraction.base);
-  const float scale = 1.0F / squaredScale(attraction);
+  const AttractionKernel attraction = side.kernel;
   Row sum{};
   Row factor;
   factor.fill(1.0F);
@@ -166,19 +170,22 @@ SMORE_WIDE_VECTORS void GibbsChain::addAttraction(int contact, const PointArray&
   };
   for (std::size_t l = 0; l < contacts_->size(); ++l) {
     if (places_[l] == kFalseContact || static_cast<int>(l) == contact) continue;
-    const float gain = 1.0F / (base + sums[l]);
-    const Eigen::Vector3f& other = at[l];
+    const float gain = 1.0F / (side.base + side.sums[l]);
+    const Eigen::Vector3f& other = side.centers[l];
+    const Eigen::Vector3f& normal = side.normals[l];
     for (int i = 0; i < count; ++i) {
       const float dx = places.x[i] - other.x();
       const float dy = places.y[i] - other.y();
       const float dz = places.z[i] - other.z();
-      const float kernel = attractionKernel((dx * dx + dy * dy + dz * dz) * scale);
+      const float a = normal.x() * dx + normal.y() * dy + normal.z() * dz;
+      const float b = normals.x[i] * dx + normals.y[i] * dy + normals.z[i] * dz;
+      const float kernel = attraction.of(dx * dx + dy * dy + dz * dz, a * a + b * b);
       sum[i] += kernel;
       factor[i] *= 1.0F + kernel * gain;
     }
     if (++factors == kFactorsPerLog) flush();
   }
-  for (int i = 0; i < count; ++i) factor[i] *= 1.0F + sum[i] / base;
+  for (int i = 0; i < count; ++i) factor[i] *= 1.0F + sum[i] / side.base;
   flush();
 }
 

@@ -20,15 +20,25 @@ bool conflict(const FreeSpaceEvidence& evidence, int on_object, int i, int in_wo
   return table != nullptr && ((table->by_object[i][j / 64] >> (j % 64)) & 1U) != 0;
 }
 
-float kernelOf(const PointArray& a, int i, const PointArray& b, int j, double scale) {
-  return attractionKernel((a.at(i) - b.at(j)).squaredNorm() / static_cast<float>(scale * scale));
+struct Side {
+  const PointArray& place;
+  const PointArray& normal;
+};
+
+float kernelOf(const AttractionKernel& kernel, const Side& a, int i, const Side& b, int j) {
+  return kernel(a.place.at(i) - b.place.at(j), a.normal.at(i), b.normal.at(j));
 }
+
+Side objectOf(const ContactHypotheses& contact) { return {contact.object, contact.object_normal}; }
+Side worldOf(const ContactHypotheses& contact) { return {contact.world, contact.world_normal}; }
 
 }  // namespace
 
 double JointDistribution::logDensity(const Explanation& explanation) const {
   const auto& contacts = *contacts_;
   const int count = static_cast<int>(contacts.size());
+  const AttractionKernel on_object(parameters_.object);
+  const AttractionKernel in_world(parameters_.world);
   double log_density = 0.0;
   for (int k = 0; k < count; ++k) {
     const int i = explanation[k];
@@ -45,8 +55,8 @@ double JointDistribution::logDensity(const Explanation& explanation) const {
       if (conflict(*evidence_, k, i, l, j)) log_density -= parameters_.conflict_cost;
       if (k == l && conflict(*evidence_, k, i, l, j)) log_density -= parameters_.conflict_cost;
       if (k == l) continue;
-      object += kernelOf(contacts[k].object, i, contacts[l].object, j, parameters_.object.scale);
-      world += kernelOf(contacts[k].world, i, contacts[l].world, j, parameters_.world.scale);
+      object += kernelOf(on_object, objectOf(contacts[k]), i, objectOf(contacts[l]), j);
+      world += kernelOf(in_world, worldOf(contacts[k]), i, worldOf(contacts[l]), j);
     }
     log_density += parameters_.exponent * (std::log1p(object / parameters_.object.base) +
                                            std::log1p(world / parameters_.world.base));

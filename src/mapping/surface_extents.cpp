@@ -2,19 +2,26 @@
 #include "smore/mapping/surface_extents.h"
 
 #include <cmath>
+#include <map>
 
 #include "smore/mapping/counter_random.h"
+#include "smore/mapping/joined_touches.h"
 
 namespace smore {
 namespace {
 
-constexpr int kSpatialRays = 6;
-constexpr double kPi = 3.14159265358979323846;
+// Points of a patch lie this share of the distance apart at which two balls touch: nothing passes
+// between them.
+constexpr double kPlanarStep = 0.5;
+constexpr double kSpatialStep = 0.8;
 
 // Points are merged and looked up on lattices that are fine against the balls.
 float latticeCell(const FeatureParameters& feature) {
   return static_cast<float>(feature.conflictDistance()) / 3.0F;
 }
+
+// The object's size and the world's are drawn independently: a second order of the hypotheses.
+int otherOrder(int hypothesis) { return (37 * hypothesis + 11) % kHypotheses; }
 
 }  // namespace
 
@@ -28,8 +35,8 @@ SurfaceExtents::SurfaceExtents(const WorldSamples& samples, const FeatureParamet
       object_(latticeCell(feature)),
       world_(latticeCell(feature)) {
   addTouches();
-  growAll(Side::kObject);
-  growAll(Side::kWorld);
+  growObject();
+  growWorld();
 }
 
 void SurfaceExtents::addTouches() {
@@ -44,73 +51,86 @@ void SurfaceExtents::addTouches() {
   }
 }
 
-void SurfaceExtents::growAll(Side side) {
-  const auto radius = static_cast<float>(feature_.conflictDistance());
-  opposite_ = MaskGrid(side == Side::kObject ? world_.points() : object_.points(), radius,
-                       latticeCell(feature_));
-  known_.clear();
-  poses_.clear();
-  for (const Eigen::Isometry3f& T : samples_.evidence.poses()) {
-    poses_.push_back(side == Side::kObject ? T : T.inverse());
-  }
-  for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
-    for (int m = 0; m < kHypotheses; ++m) grow(side, static_cast<int>(k), m);
-  }
+void SurfaceExtents::growObject() {
+  ForbiddenMatter forbidden = forbiddenFor(Side::kObject);
+  growPatches(Side::kObject, &forbidden);
+  if (planar_) return;
+  for (int m = 0; m < kHypotheses; ++m) joinObject(m, &forbidden);
 }
 
-void SurfaceExtents::grow(Side side, int contact, int hypothesis) {
-  const int place = samples_.explanations[hypothesis][contact];
-  if (place == kFalseContact) return;
-  const ContactHypotheses& touched = samples_.contacts[contact];
+void SurfaceExtents::growWorld() {
+  ForbiddenMatter forbidden = forbiddenFor(Side::kWorld);
+  growPatches(Side::kWorld, &forbidden);
+}
+
+ForbiddenMatter SurfaceExtents::forbiddenFor(Side side) const {
   const bool on_object = side == Side::kObject;
-  const Eigen::Vector3f start = (on_object ? touched.object : touched.world).at(place);
-  const double length = on_object ? extent_.object_length : extent_.world_length;
-  const auto step = static_cast<float>(0.5 * feature_.conflictDistance());
-  const double go_on = std::exp(-step / length);
-  const std::uint64_t seed =
-      mixBits(touched.id, mixBits(seed_, 2 * hypothesis + (on_object ? 1 : 0)));
+  std::vector<Eigen::Isometry3f> poses;
+  poses.reserve(samples_.evidence.poses().size());
+  for (const Eigen::Isometry3f& T : samples_.evidence.poses()) {
+    poses.push_back(on_object ? T : T.inverse());
+  }
+  return {on_object ? world_.points() : object_.points(), std::move(poses),
+          static_cast<float>(feature_.conflictDistance()), latticeCell(feature_)};
+}
+
+MatterAllowed SurfaceExtents::allowedFor(Side side, int hypothesis,
+                                         ForbiddenMatter* forbidden) const {
   const HypothesisMask bit = HypothesisMask{1} << hypothesis;
-  CounterRandom random(~seed);
-  for (const Eigen::Vector3f& tangent :
-       tangents((on_object ? touched.object_normal : touched.world_normal).at(place), seed)) {
-    Eigen::Vector3f point = start;
-    while (random.uniform() < go_on) {
-      point += step * tangent;
-      if (on_object && point.norm() > feature_.reach) break;
-      if ((contradictions(point) & bit) != 0) break;
-      (on_object ? object_ : world_).add(point, bit);
+  const bool on_object = side == Side::kObject;
+  const auto reach = static_cast<float>(feature_.reach);
+  return [=](const Eigen::Vector3f& point) {
+    return (!on_object || point.norm() <= reach) && (forbidden->at(point) & bit) == 0;
+  };
+}
+
+double SurfaceExtents::patchRadius(Side side, int hypothesis) const {
+  const bool on_object = side == Side::kObject;
+  const double longest = !on_object ? extent_.world_longest
+                                    : (planar_ ? extent_.object_longest : extent_.corner_longest);
+  const double place = (on_object ? otherOrder(hypothesis) : hypothesis) + 0.5;
+  return extent_.shortest * std::pow(longest / extent_.shortest, place / kHypotheses);
+}
+
+void SurfaceExtents::growPatches(Side side, ForbiddenMatter* forbidden) {
+  const bool on_object = side == Side::kObject;
+  MaskedPoints& matter = on_object ? object_ : world_;
+  SurfacePatch patch;
+  patch.step =
+      static_cast<float>((planar_ ? kPlanarStep : kSpatialStep) * feature_.conflictDistance());
+  for (int m = 0; m < kHypotheses; ++m) {
+    const MatterAllowed allowed = allowedFor(side, m, forbidden);
+    patch.radius = static_cast<float>(patchRadius(side, m));
+    for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
+      const ContactHypotheses& contact = samples_.contacts[k];
+      const int place = samples_.explanations[m][k];
+      if (place == kFalseContact) continue;
+      patch.center = (on_object ? contact.object : contact.world).at(place);
+      patch.normal = (on_object ? contact.object_normal : contact.world_normal).at(place);
+      CounterRandom random(mixBits(contact.id, mixBits(seed_, 2 * m + (on_object ? 1 : 0))));
+      for (const Eigen::Vector3f& point : growPatch(patch, planar_, allowed, &random)) {
+        matter.add(point, HypothesisMask{1} << m);
+      }
     }
   }
 }
 
-std::vector<Eigen::Vector3f> SurfaceExtents::tangents(const Eigen::Vector3f& normal,
-                                                      std::uint64_t seed) const {
-  if (planar_) {
-    const Eigen::Vector3f tangent(-normal.y(), normal.x(), 0.0F);
-    return {tangent, -tangent};
+void SurfaceExtents::joinObject(int hypothesis, ForbiddenMatter* forbidden) {
+  // By their ids, so that the order of the observations does not matter.
+  std::map<std::uint64_t, Eigen::Vector3f> by_id;
+  for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
+    const int place = samples_.explanations[hypothesis][k];
+    if (place == kFalseContact) continue;
+    by_id.emplace(samples_.contacts[k].id, samples_.contacts[k].object.at(place));
   }
-  const Eigen::Vector3f first = normal.unitOrthogonal();
-  const Eigen::Vector3f second = normal.cross(first);
-  const double turn = 2.0 * kPi * CounterRandom(seed).uniform();
-  std::vector<Eigen::Vector3f> result;
-  for (int ray = 0; ray < kSpatialRays; ++ray) {
-    const auto angle = static_cast<float>(turn + 2.0 * kPi * ray / kSpatialRays);
-    result.emplace_back(std::cos(angle) * first + std::sin(angle) * second);
+  std::vector<Eigen::Vector3f> places;
+  for (const auto& entry : by_id) places.push_back(entry.second);
+  CounterRandom random(mixBits(~seed_, hypothesis));
+  const auto distance = static_cast<float>(feature_.conflictDistance());
+  for (const Eigen::Vector3f& point :
+       joinTouches(places, distance, allowedFor(Side::kObject, hypothesis, forbidden), &random)) {
+    object_.add(point, HypothesisMask{1} << hypothesis);
   }
-  return result;
-}
-
-HypothesisMask SurfaceExtents::contradictions(const Eigen::Vector3f& point) {
-  const float cell = latticeCell(feature_);
-  const auto found = known_.emplace(MaskedPoints::cellKey(point, cell), 0);
-  HypothesisMask& mask = found.first->second;
-  if (!found.second) return mask;
-  const Eigen::Vector3f center = (point / cell).array().round().matrix() * cell;
-  for (const Eigen::Isometry3f& T : poses_) {
-    mask |= opposite_.at(T * center);
-    if (mask == ~HypothesisMask{0}) break;
-  }
-  return mask;
 }
 
 }  // namespace smore

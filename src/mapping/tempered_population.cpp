@@ -3,11 +3,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "smore/common/parallel_for.h"
 #include "smore/mapping/counter_random.h"
 
 namespace smore {
+namespace {
+
+// A step of the temperature is as long as leaves this share of the chains something to say, but
+// not shorter than this part of the longest.
+constexpr double kLeastShare = 0.3;
+constexpr double kShortestStep = 1.0 / 16.0;
+
+constexpr double kRounding = 1e-9;  // of the sum of all steps
+
+// The largest is 1.
+std::vector<double> weightsOf(const std::vector<double>& bindings, double heat_step) {
+  const double largest = *std::max_element(bindings.begin(), bindings.end());
+  std::vector<double> weights;
+  weights.reserve(bindings.size());
+  for (const double binding : bindings)
+    weights.push_back(std::exp(heat_step * (binding - largest)));
+  return weights;
+}
+
+// Effective sample size over the number of samples (Kong et al. 1994).
+double effectiveShare(const std::vector<double>& weights) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const double weight : weights) {
+    sum += weight;
+    squares += weight * weight;
+  }
+  return sum * sum / (squares * static_cast<double>(weights.size()));
+}
+
+}  // namespace
 
 TemperedPopulation::TemperedPopulation(const std::vector<ContactHypotheses>& contacts,
                                        const FreeSpaceEvidence& evidence,
@@ -19,14 +51,16 @@ TemperedPopulation::TemperedPopulation(const std::vector<ContactHypotheses>& con
 
 std::vector<Explanation> TemperedPopulation::run() {
   sweep(0.0, mixBits(seed_, 0));
-  const double step = 1.0 / parameters_.temperatures;
-  for (int t = 1; t <= parameters_.temperatures; ++t) {
-    resample(step, mixBits(~seed_, t));
-    sweep(t * step, mixBits(seed_, t));
+  std::uint64_t sweeps = 0;
+  for (double heat = 0.0; heat < 1.0;) {
+    const std::vector<double> bindings = bindingOfChains();
+    const double left = 1.0 - heat;
+    const double step = nextStep(bindings, left);
+    heat = step < left ? heat + step : 1.0;
+    resample(weightsOf(bindings, step), mixBits(~seed_, ++sweeps));
+    sweep(heat, mixBits(seed_, sweeps));
   }
-  for (int i = 1; i <= parameters_.sweeps; ++i) {
-    sweep(1.0, mixBits(seed_, parameters_.temperatures + i));
-  }
+  for (int i = 0; i < parameters_.sweeps; ++i) sweep(1.0, mixBits(seed_, ++sweeps));
   std::vector<Explanation> explanations;
   for (const GibbsChain& chain : chains_) explanations.push_back(chain.explanation());
   return explanations;
@@ -36,12 +70,24 @@ void TemperedPopulation::sweep(double heat, std::uint64_t seed) {
   parallelFor(chains_.size(), [&](std::size_t m) { chains_[m].sweep(heat, mixBits(seed, m)); });
 }
 
-void TemperedPopulation::resample(double heat_step, std::uint64_t seed) {
-  std::vector<double> weights;
-  for (const GibbsChain& chain : chains_) weights.push_back(heat_step * chain.binding());
-  const double largest = *std::max_element(weights.begin(), weights.end());
-  double sum = 0.0;
-  for (double& weight : weights) sum += weight = std::exp(weight - largest);
+std::vector<double> TemperedPopulation::bindingOfChains() const {
+  std::vector<double> bindings;
+  for (const GibbsChain& chain : chains_) bindings.push_back(chain.binding());
+  return bindings;
+}
+
+double TemperedPopulation::nextStep(const std::vector<double>& bindings, double left) const {
+  const double longest = 1.0 / parameters_.temperatures;
+  double step = left <= longest * (1.0 + kRounding) ? left : longest;
+  while (step > kShortestStep * longest &&
+         effectiveShare(weightsOf(bindings, step)) < kLeastShare) {
+    step *= 0.5;
+  }
+  return step;
+}
+
+void TemperedPopulation::resample(const std::vector<double>& weights, std::uint64_t seed) {
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   // Systematic: each chain is continued as often as its weight says, up to rounding.
   const double stride = sum / static_cast<double>(chains_.size());
   double at = CounterRandom(seed).uniform() * stride;

@@ -7,13 +7,26 @@
 namespace smore {
 namespace {
 
-// A move turns by as much as it shifts, in the metric of the search.
-constexpr double kTurnShare = 1.0;
+// One of so many changes is a shortcut.
+constexpr int kChangesPerShortcut = 3;
+
+// Moves: of one state alone, along one axis alone; sizes are log-uniform between two multiples of
+// the distance that is asked for.
+constexpr double kAloneShare = 0.5;
+constexpr double kAxisShare = 0.5;
+constexpr double kSmallestMove = 0.2;
+constexpr double kSizesOfMoves = 20.0;
 
 // Worlds that would let pass a path against which all worlds speak: keeps its cost finite.
 constexpr double kLeastHope = 1e-6;
 
 }  // namespace
+
+double pathValue(const MotionCost& total, const RiskObjective& objective) {
+  double passing = kLeastHope;
+  for (const float touched : total.touching_length) passing += std::exp(-touched / objective.give);
+  return total.length - objective.touch_cost * std::log(passing / kHypotheses);
+}
 
 RiskPath::RiskPath(const RiskMotions& motions, const RiskObjective& objective,
                    std::vector<RiskState> states)
@@ -22,19 +35,13 @@ RiskPath::RiskPath(const RiskMotions& motions, const RiskObjective& objective,
     costs_.push_back(motions_->cost(states_[i - 1], states_[i]));
     total_ += costs_.back();
   }
-  value_ = valueOf(total_);
-}
-
-double RiskPath::valueOf(const MotionCost& total) const {
-  double passing = kLeastHope;
-  for (const float touched : total.touching_length) passing += std::exp(-touched / objective_.give);
-  return total.length - objective_.touch_cost * std::log(passing / kHypotheses);
+  value_ = pathValue(total_, objective_);
 }
 
 void RiskPath::improve(const RiskSpace& space, int attempts, double distance,
                        const Deadline& deadline, CounterRandom* random) {
-  for (int i = 0; i < 2 * attempts && states_.size() > 2 && !deadline.passed(); ++i) {
-    i < attempts ? tryShortcut(random) : tryMove(space, distance, random);
+  for (int i = 0; i < attempts && states_.size() > 2 && !deadline.passed(); ++i) {
+    i % kChangesPerShortcut == 0 ? tryShortcut(random) : tryMove(space, distance, random);
   }
 }
 
@@ -46,10 +53,24 @@ void RiskPath::tryShortcut(CounterRandom* random) {
 }
 
 void RiskPath::tryMove(const RiskSpace& space, double distance, CounterRandom* random) {
-  const int i = 1 + random->index(static_cast<int>(states_.size()) - 2);
-  const RiskState moved =
-      space.sampleNear(states_[i], distance, kTurnShare * distance / space.lever(), random);
-  if (space.contains(moved)) replace(i - 1, i + 1, {moved});
+  const int inner = static_cast<int>(states_.size()) - 2;
+  int first = 1 + random->index(inner);
+  int last = random->uniform() < kAloneShare ? first : 1 + random->index(inner);
+  if (first > last) std::swap(first, last);
+  const double size = kSmallestMove * distance * std::pow(kSizesOfMoves, random->uniform());
+  const double angle = size / space.lever();  // as much as it shifts, in the metric of the search
+  const RiskState& pivot = states_[first];
+  const RiskState moved = random->uniform() < kAxisShare
+                              ? space.sampleAlongAxis(pivot, size, angle, random)
+                              : space.sampleNear(pivot, size, angle, random);
+  const Eigen::Vector3f shift = moved.position - pivot.position;
+  const Eigen::Quaternionf turn = moved.rotation * pivot.rotation.conjugate();
+  std::vector<RiskState> row;
+  for (int i = first; i <= last; ++i) {
+    row.push_back({states_[i].position + shift, (turn * states_[i].rotation).normalized()});
+    if (!space.contains(row.back())) return;
+  }
+  replace(first - 1, last + 1, row);
 }
 
 void RiskPath::replace(int first, int last, const std::vector<RiskState>& inner) {
@@ -58,7 +79,7 @@ void RiskPath::replace(int first, int last, const std::vector<RiskState>& inner)
   for (std::size_t i = last; i < costs_.size(); ++i) total += costs_[i];
   const auto hopeless = [&](const MotionCost& part) {
     MotionCost sum = total;
-    return valueOf(sum += part) > value_;
+    return pathValue(sum += part, objective_) > value_;
   };
   std::vector<RiskState> way = inner;
   way.push_back(states_[last]);
@@ -74,7 +95,7 @@ void RiskPath::replace(int first, int last, const std::vector<RiskState>& inner)
   states_.erase(states_.begin() + first + 1, states_.begin() + last);
   states_.insert(states_.begin() + first + 1, inner.begin(), inner.end());
   total_ = total;
-  value_ = valueOf(total_);
+  value_ = pathValue(total_, objective_);
 }
 
 }  // namespace smore

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "smore/common/parallel_for.h"
 #include "smore/planning/contact_risk.h"
+#include "smore/planning/posture_paths.h"
 
 namespace smore {
 namespace {
@@ -24,7 +26,15 @@ constexpr double kRadiansPerMetre = 2.5;  // of local samples: sweeping turns at
 // A chain of steps towards the other tree is at most as long as a workspace is wide.
 constexpr int kLongestConnection = 60;
 
-constexpr double kMoveDistance = 0.05;  // of an inner state of a path [m]
+constexpr double kMoveDistance = 0.05;  // of inner states of a path [m]
+
+// The best paths, which are improved once more.
+constexpr std::size_t kFinalists = 3;
+
+void sortByValue(std::vector<RiskPath>* paths) {
+  std::stable_sort(paths->begin(), paths->end(),
+                   [](const RiskPath& a, const RiskPath& b) { return a.value() < b.value(); });
+}
 
 }  // namespace
 
@@ -32,6 +42,7 @@ struct RiskPlanner::Search {
   RiskMotions motions;
   RiskState start;
   RiskState goal;
+  std::uint64_t seed;  ///< of this search
   CounterRandom random;
   Deadline deadline;
   std::vector<TreeEdge> edges = {};
@@ -50,23 +61,73 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
       seed_(seed) {}
 
 Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
+  const std::uint64_t seed = mixBits(seed_, calls_++);
   Search search{RiskMotions(belief_->worlds(), parameters_.lever, space_.fullTurns()),
-                space_.toState(start), space_.toState(goal),
-                CounterRandom(mixBits(seed_, calls_++)), Deadline(parameters_.time_limit)};
+                space_.toState(start),
+                space_.toState(goal),
+                seed,
+                CounterRandom(seed),
+                Deadline(parameters_.time_limit)};
   if (!space_.contains(search.start)) return Failure{"the start is outside of the workspace"};
   if (!space_.contains(search.goal)) return Failure{"the goal is outside of the workspace"};
-  const std::vector<RiskPath> paths = climb(&search);
+  std::vector<RiskPath> paths = climb(&search);
   if (paths.empty()) return Failure{"the planner's iterations were used up at every level of risk"};
-  const auto best =
-      std::min_element(paths.begin(), paths.end(),
-                       [](const RiskPath& a, const RiskPath& b) { return a.value() < b.value(); });
+  if (!space_.planar()) searchFurther(search, &paths);
+  sortByValue(&paths);
   Plan plan;
-  for (const RiskState& state : best->states()) plan.path.push_back(space_.toPose(state));
+  for (const RiskState& state : paths.front().states()) plan.path.push_back(space_.toPose(state));
   plan.path.front() = start;
   plan.path.back() = goal;
   plan.risk = ContactRisk(*belief_).ofMotion(plan.path);
   plan.tree = std::move(search.edges);
   return plan;
+}
+
+// In a plane the trees find what there is to find, and more choice only finds more of what the
+// worlds have got wrong (docs/planning.md).
+void RiskPlanner::searchFurther(const Search& search, std::vector<RiskPath>* paths) {
+  const std::size_t improved = paths->size();
+  addAlternatives(search, paths);
+  addPostures(search, paths);
+  improve(search, parameters_.improvements / 2, improved, paths->size(), paths);
+  sortByValue(paths);
+  improve(search, parameters_.improvements, 0, std::min(kFinalists, paths->size()), paths);
+  sortByValue(paths);
+  remember(*paths);
+}
+
+// What the search found earlier and did not take may be the best by now.
+void RiskPlanner::addAlternatives(const Search& search, std::vector<RiskPath>* paths) const {
+  for (std::vector<RiskState> states : alternatives_) {
+    states.front() = search.start;
+    states.back() = search.goal;
+    paths->emplace_back(search.motions, parameters_.objective, std::move(states));
+  }
+}
+
+void RiskPlanner::addPostures(const Search& search, std::vector<RiskPath>* paths) const {
+  if (search.deadline.passed()) return;
+  const PosturePaths postures(search.motions, space_, parameters_.objective);
+  for (RiskPath& path : postures.best(search.start, search.goal, parameters_.postures,
+                                      parameters_.kept_postures, ~search.seed)) {
+    paths->push_back(std::move(path));
+  }
+}
+
+void RiskPlanner::improve(const Search& search, int attempts, std::size_t first, std::size_t last,
+                          std::vector<RiskPath>* paths) const {
+  parallelFor(last - first, [&](std::size_t i) {
+    CounterRandom random(mixBits(search.seed, mixBits(attempts, i)));
+    (*paths)[first + i].improve(space_, attempts, kMoveDistance, search.deadline, &random);
+  });
+}
+
+void RiskPlanner::remember(const std::vector<RiskPath>& paths) {
+  alternatives_.clear();
+  for (const RiskPath& path : paths) {
+    if (static_cast<int>(alternatives_.size()) >= parameters_.alternatives) return;
+    if (path.states().size() > 2) alternatives_.push_back(path.states());
+  }
 }
 
 std::vector<RiskPath> RiskPlanner::climb(Search* search) const {

@@ -39,8 +39,10 @@ ParameterSection beliefSection(JointBeliefParameters* belief) {
            {"temperatures", &distribution.temperatures, kSteps},
            {"sweeps", &distribution.sweeps, kSweeps},
            {"most_contacts", &belief->most_contacts, kContacts},
-           {"object_length", &belief->extent.object_length, kExtent},
-           {"world_length", &belief->extent.world_length, kExtent}}};
+           {"shortest_patch", &belief->extent.shortest, kLength},
+           {"object_patch", &belief->extent.object_longest, kLength},
+           {"corner_patch", &belief->extent.corner_longest, kLength},
+           {"world_patch", &belief->extent.world_longest, kLength}}};
 }
 
 ParameterSection plannerSection(RiskPlannerParameters* planner) {
@@ -48,6 +50,9 @@ ParameterSection plannerSection(RiskPlannerParameters* planner) {
           {{"iterations", &planner->iterations, kCount},
            {"paths", &planner->paths, kCount},
            {"improvements", &planner->improvements, kTries},
+           {"postures", &planner->postures, kTries},
+           {"kept_postures", &planner->kept_postures, kCount},
+           {"alternatives", &planner->alternatives, kTries},
            {"time_limit", &planner->time_limit, kSeconds},
            {"step", &planner->step, kLength},
            {"lever", &planner->lever, kLength},

@@ -139,6 +139,27 @@ TEST(JointDistribution, LogLossOf64SamplesIsNearTheExactPosteriors) {
   EXPECT_LE(sampled_loss, 1.1 * exact_loss);
 }
 
+TEST(AttractionKernel, OfSurfacesReachesAlongThemAndNotAcross) {
+  const AttractionKernel kernel({AttractionShape::kSurface, 0.05, 0.05});
+  const Eigen::Vector3f normal = Eigen::Vector3f::UnitX();
+  EXPECT_FLOAT_EQ(kernel(Eigen::Vector3f::Zero(), normal, normal), 1.0F);
+  // Six scales along the surface: 1 / (1 + 36); as many above it: 1 / (1 + 36)^3.
+  EXPECT_FLOAT_EQ(kernel({0, 0.3F, 0}, normal, normal), 1.0F / 37.0F);
+  EXPECT_FLOAT_EQ(kernel({0.3F, 0, 0}, normal, normal), 1.0F / (37.0F * 37.0F * 37.0F));
+  // Symmetric, and one surface says as much as the other.
+  const Eigen::Vector3f other = Eigen::Vector3f::UnitY();
+  const Eigen::Vector3f between(0.1F, 0.02F, -0.05F);
+  EXPECT_FLOAT_EQ(kernel(between, normal, other), kernel(-between, other, normal));
+}
+
+TEST(AttractionKernel, OfPointsEndsAtSixScales) {
+  const AttractionKernel kernel({AttractionShape::kPoint, 0.03, 0.1});
+  const Eigen::Vector3f normal = Eigen::Vector3f::UnitX();
+  EXPECT_NEAR(kernel(Eigen::Vector3f::Zero(), normal, normal), 1.0F, 1e-3F);
+  EXPECT_GT(kernel({0.17F, 0, 0}, normal, normal), 0.0F);
+  EXPECT_EQ(kernel({0.19F, 0, 0}, normal, normal), 0.0F);
+}
+
 TEST(JointDistribution, ConflictsMakeAnExplanationLessLikelyByTheirCost) {
   const auto without = randomCase(5, 0);
   const auto with = randomCase(5, 0);

@@ -21,7 +21,7 @@ struct FeatureParameters {
   double tolerance = 0.008;  ///< overlap of two balls that is still no contradiction [m]
   double reach = 0.6;  ///< largest distance of touched matter from the object frame's origin [m]
   double decay =
-      0.35;  ///< touches grow rarer with the distance r from the origin as exp(-r/decay) [m]
+      0.7;  ///< touches grow rarer with the distance r from the origin as exp(-r/decay) [m]
 
   /// Balls whose centres are nearer than this contradict each other [m].
   double conflictDistance() const { return 2.0 * radius - tolerance; }

@@ -28,25 +28,37 @@ class GibbsChain {
  private:
   using Row = std::array<float, kCandidates>;
 
+  /// The chosen balls of one map, by contact; valid only where a place is chosen.
+  struct Side {
+    Side(std::size_t contacts, const AttractionParameters& attraction);
+
+    void place(int contact, const PointArray& places, const PointArray& normals, int place);
+    /// The kernel of two chosen balls.
+    float between(int a, int b) const;
+
+    AttractionKernel kernel;
+    float base;
+    std::vector<Eigen::Vector3f> centers;
+    std::vector<Eigen::Vector3f> normals;
+    std::vector<float> sums;  ///< of the kernels of all other contacts
+  };
+
   std::vector<int> visitOrder(std::uint64_t seed) const;
   void remove(int contact);
   void add(int contact, int place);
   void changeSums(int contact, float sign);
   int draw(int contact, double heat, std::uint64_t seed) const;
   void logWeights(int contact, double heat, Row* log_weight) const;
-  void addAttraction(int contact, const PointArray& places, const std::vector<Eigen::Vector3f>& at,
-                     const std::vector<float>& sums, const AttractionParameters& attraction,
-                     Row* log_weight) const;
+  void addAttraction(int contact, const Side& side, const PointArray& places,
+                     const PointArray& normals, Row* log_weight) const;
   void countConflicts(int contact, Row* conflicts) const;
 
   const std::vector<ContactHypotheses>* contacts_;
   const FreeSpaceEvidence* evidence_;
   const DistributionParameters* parameters_;
   Explanation places_;
-  std::vector<Eigen::Vector3f> object_;  ///< chosen balls' centres; only where a place is chosen
-  std::vector<Eigen::Vector3f> world_;
-  std::vector<float> object_sums_;  ///< of the kernels of all other contacts
-  std::vector<float> world_sums_;
+  Side object_;
+  Side world_;
 };
 
 }  // namespace smore

@@ -10,20 +10,28 @@
 
 namespace smore {
 
+/// How touches lie to one another.
+enum class AttractionShape {
+  kPoint,    ///< around points: a held thing is touched at its corners again and again
+  kSurface,  ///< along surfaces of any size: what things stand on and behind goes on
+};
+
 /// Prior belief about how touches lie to one another, in one of the two maps.
 struct AttractionParameters {
-  double scale = 0.05;  ///< distance at which two touches hardly speak for one another any more [m]
-  double base = 0.1;    ///< weight of matter never touched before, against one earlier touch here
+  AttractionShape shape;
+  double scale;  ///< distance from which on two touches speak less for one another [m]
+  double base;   ///< weight of matter never touched before, against one earlier touch here
 };
 
 struct DistributionParameters {
-  AttractionParameters object{0.05, 0.1};
-  AttractionParameters world{0.05, 0.05};
-  double exponent = 1.0;       ///< of the attraction; 0.5 counts each pair once, 1 from either side
+  AttractionParameters object{AttractionShape::kPoint, 0.03, 0.1};
+  AttractionParameters world{AttractionShape::kSurface, 0.05, 0.05};
+  double exponent = 2.0;       ///< strength of the attraction; 0.5 counts each pair of touches once
   double conflict_cost = 4.0;  ///< log odds against one contradiction with free space
   double false_contact = 0.02;  ///< probability that a contact tells nothing
-  int temperatures = 12;        ///< steps from independent contacts to the whole distribution
-  int sweeps = 3;               ///< of Gibbs sampling after the last of these steps
+  int temperatures =
+      12;          ///< least number of steps from independent contacts to the whole distribution
+  int sweeps = 3;  ///< of Gibbs sampling after the last of these steps
 };
 
 /// One explanation of all contacts: for each its place, or kFalseContact.
@@ -35,8 +43,8 @@ constexpr std::int16_t kFalseContact = -1;
 ///   P(s) ~ prod_k prior(s_k) * prod_k [(1 + A_k / a)(1 + B_k / b)]^exponent * exp(-cost *
 ///   conflicts)
 ///
-/// A_k is the sum over the other contacts of kernel(|o_k - o_l| / scale) on the object, B_k the
-/// same in the world. One normalised distribution: the conditionals that are sampled are its own.
+/// A_k is the sum of the object's AttractionKernel over the other contacts, B_k that of the
+/// world's. One normalised distribution: the conditionals that are sampled are its own.
 class JointDistribution {
  public:
   /// Views that must outlive this. Contacts in the order of `evidence`.
@@ -57,13 +65,42 @@ class JointDistribution {
   DistributionParameters parameters_;
 };
 
-/// Compact bell: 1 at 0, 1/4 at about 1, exactly 0 from 6 on. `squared` is the squared distance
-/// over the squared scale. Inline, for the sake of vector instructions: the sampler's time goes
-/// here.
-inline float attractionKernel(float squared) {
-  constexpr float kEnd = 1.0F / (37.0F * 37.0F);  // value of the bell at distance 6
-  const float bell = 1.0F / ((1.0F + squared) * (1.0F + squared));
-  return std::max(0.0F, bell - kEnd);
-}
+/// How strongly two touches speak for one another, from 0 to 1 where they are at one place. Inline,
+/// for the sake of vector instructions: the sampler's time goes here. With the distance d and the
+/// scale h,
+///
+///   kPoint     1 / (1 + (d / h)^2)^2, less its value at d = 6 h, so that it ends there
+///   kSurface   1 / ((1 + (z / h)^2)^2 (1 + (d / h)^2))
+///
+/// where z^2 is the mean square of the heights of each touch above the other's tangent plane: along
+/// a surface the kernel falls as the inverse square of the distance, so that no size of surfaces is
+/// preferred.
+class AttractionKernel {
+ public:
+  explicit AttractionKernel(const AttractionParameters& parameters)
+      : surface_(parameters.shape == AttractionShape::kSurface),
+        inverse_square_(static_cast<float>(1.0 / (parameters.scale * parameters.scale))) {}
+
+  /// Of two touches `between` [m] apart that have these unit normals.
+  float operator()(const Eigen::Vector3f& between, const Eigen::Vector3f& normal,
+                   const Eigen::Vector3f& other_normal) const {
+    const float height = normal.dot(between);
+    const float other_height = other_normal.dot(between);
+    return of(between.squaredNorm(), height * height + other_height * other_height);
+  }
+
+  /// By the squared distance and the sum of both squared heights [m^2].
+  float of(float squared_distance, float squared_heights) const {
+    constexpr float kEnd = 1.0F / (37.0F * 37.0F);
+    const float distance = 1.0F + squared_distance * inverse_square_;
+    if (!surface_) return std::max(0.0F, 1.0F / (distance * distance) - kEnd);
+    const float height = 1.0F + 0.5F * squared_heights * inverse_square_;
+    return 1.0F / (height * height * distance);
+  }
+
+ private:
+  bool surface_;
+  float inverse_square_;
+};
 
 }  // namespace smore

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <unordered_map>
 #include <vector>
 
+#include "smore/mapping/forbidden_matter.h"
 #include "smore/mapping/sampled_worlds.h"
+#include "smore/mapping/surface_patch.h"
 
 namespace smore {
 
-/// Continues the touched surfaces of all sampled explanations at random along their tangents, until
-/// free space ends them: first the object's against the touched places of the world, then the
-/// world's against the object so found.
+/// Continues the touched surfaces of all sampled explanations until free space ends them: first the
+/// object's against the touched places of the world, then the world's against the object so found.
+///
+/// How far surfaces go on is one unknown size of each explanation's world and one of its object,
+/// spread evenly over all orders of magnitude: a touch near a gap then closes it in those worlds
+/// alone whose surfaces are as large, however many touches there are. In space a touch is mostly
+/// one of a corner, whose tangent plane is hardly in the object; there its touches are joined to
+/// one piece as well.
 class SurfaceExtents {
  public:
   SurfaceExtents(const WorldSamples& samples, const FeatureParameters& feature,
@@ -23,10 +29,13 @@ class SurfaceExtents {
   enum class Side { kObject, kWorld };
 
   void addTouches();
-  void growAll(Side side);
-  void grow(Side side, int contact, int hypothesis);
-  std::vector<Eigen::Vector3f> tangents(const Eigen::Vector3f& normal, std::uint64_t seed) const;
-  HypothesisMask contradictions(const Eigen::Vector3f& point);
+  void growObject();
+  void growWorld();
+  void growPatches(Side side, ForbiddenMatter* forbidden);
+  void joinObject(int hypothesis, ForbiddenMatter* forbidden);
+  double patchRadius(Side side, int hypothesis) const;
+  ForbiddenMatter forbiddenFor(Side side) const;
+  MatterAllowed allowedFor(Side side, int hypothesis, ForbiddenMatter* forbidden) const;
 
   const WorldSamples& samples_;
   const FeatureParameters& feature_;
@@ -35,9 +44,6 @@ class SurfaceExtents {
   std::uint64_t seed_;
   MaskedPoints object_;
   MaskedPoints world_;
-  MaskGrid opposite_;  ///< near matter of the side that does not grow
-  std::unordered_map<std::uint64_t, HypothesisMask> known_;  ///< contradictions by cell
-  std::vector<Eigen::Isometry3f> poses_;  ///< from the frame of the growing side to the other
 };
 
 }  // namespace smore

@@ -22,7 +22,12 @@ class TemperedPopulation {
   std::vector<Explanation> run();
 
  private:
-  void resample(double heat_step, std::uint64_t seed);
+  std::vector<double> bindingOfChains() const;
+  /// The next step of the heat, at most `left`: the density's range grows with the contacts, and a
+  /// step that one chain in a few survives would lose what the others had found.
+  double nextStep(const std::vector<double>& bindings, double left) const;
+  /// Continues each chain as often as its weight says.
+  void resample(const std::vector<double>& weights, std::uint64_t seed);
   /// Chain m is to be there `copies[m]` times: it stays where it is, and its further copies take
   /// the places of chains that end, so that a small change of the evidence changes few chains.
   void continueChains(std::vector<int> copies);

@@ -22,6 +22,9 @@ struct RiskObjective {
   double give = 0.02;       ///< accuracy of what is known of matter's place [m]
 };
 
+/// J of a path, or the least that J can be for a path that has this as a part.
+double pathValue(const MotionCost& total, const RiskObjective& objective);
+
 /// A path with the costs of its motions, so that a change costs only what it changes.
 class RiskPath {
  public:
@@ -33,8 +36,10 @@ class RiskPath {
   double value() const { return value_; }  ///< J, smaller is better
   double risk() const { return shareOf(total_.touching); }
 
-  /// Tries `attempts` random shortcuts, then as many random moves of inner states in `space`, each
-  /// within `distance` [m]; what makes J smaller stays. Ends early at the deadline.
+  /// Tries `attempts` random changes in `space`, each from a fifth of `distance` [m] to four times
+  /// as much: shortcuts, and moves of inner states, of one or of several in a row together, as a
+  /// slot needs that is left in the posture in which it was entered. What makes J smaller stays.
+  /// Ends early at the deadline.
   void improve(const RiskSpace& space, int attempts, double distance, const Deadline& deadline,
                CounterRandom* random);
 
@@ -43,7 +48,6 @@ class RiskPath {
   void tryMove(const RiskSpace& space, double distance, CounterRandom* random);
   /// Puts `inner` between the states `first` and `last`, unless that makes J larger.
   void replace(int first, int last, const std::vector<RiskState>& inner);
-  double valueOf(const MotionCost& total) const;
 
   const RiskMotions* motions_;
   RiskObjective objective_;

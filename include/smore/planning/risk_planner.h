@@ -16,9 +16,12 @@
 namespace smore {
 
 struct RiskPlannerParameters {
-  int iterations = 1500;  ///< samples for each tree on each rung of the ladder of risk, at least 1
-  int paths = 4;          ///< paths of which the best is taken, at least 1
-  int improvements = 60;  ///< shortcuts, and moves, tried on each path
+  int iterations = 1500;   ///< samples for each tree on each rung of the ladder of risk, at least 1
+  int paths = 4;           ///< paths of which the best is taken, at least 1
+  int improvements = 120;  ///< changes tried on each path
+  int postures = 500;      ///< in space: ways in another posture that are tried
+  int kept_postures = 4;   ///< the best of them, which are improved
+  int alternatives = 12;   ///< in space: paths of earlier searches that are looked at anew
   /// Wall time of a search after which the best path so far is taken; where there is none yet, one
   /// at any risk [s].
   double time_limit = 60.0;
@@ -28,9 +31,10 @@ struct RiskPlannerParameters {
 };
 
 /// Least risk first, then length: bidirectional trees in the states whose risk stays below a limit,
-/// the limit raised rung by rung until there are paths; of these, improved by shortcuts and moves,
-/// the one with the best objective over the joint samples (docs/planning.md). There is always a
-/// path unless start or goal lie outside of the workspace: at the last rung everything is allowed.
+/// the limit raised rung by rung until there are paths; in space also ways in another posture, and
+/// the best paths of earlier searches. Of these, improved by shortcuts and moves, the one with the
+/// best objective over the joint samples (docs/planning.md). There is always a path unless start or
+/// goal lie outside of the workspace: at the last rung everything is allowed.
 ///
 /// The same seed and the same calls give the same paths, unless the time limit ends a search.
 class RiskPlanner : public Planner {
@@ -44,7 +48,13 @@ class RiskPlanner : public Planner {
  private:
   struct Search;
   struct Trees;
+  void remember(const std::vector<RiskPath>& paths);
   std::vector<RiskPath> climb(Search* search) const;
+  void searchFurther(const Search& search, std::vector<RiskPath>* paths);
+  void addAlternatives(const Search& search, std::vector<RiskPath>* paths) const;
+  void addPostures(const Search& search, std::vector<RiskPath>* paths) const;
+  void improve(const Search& search, int attempts, std::size_t first, std::size_t last,
+               std::vector<RiskPath>* paths) const;
   Trees plant(const Search& search) const;
   std::optional<std::vector<RiskState>> connect(Trees* trees, int limit, Search* search) const;
   RiskState draw(const RiskTree& tree, CounterRandom* random) const;
@@ -56,6 +66,7 @@ class RiskPlanner : public Planner {
   RiskSpace space_;
   std::uint64_t seed_;
   std::uint64_t calls_ = 0;
+  std::vector<std::vector<RiskState>> alternatives_;  ///< best first
 };
 
 }  // namespace smore

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/planning/posture_paths.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "smore/common/parallel_for.h"
+
+namespace smore {
+namespace {
+
+constexpr float kQuarter = 1.57079632679489662F;
+constexpr double kQuarterShare = 0.5;
+
+// Parts of the work for the processor's cores. What comes out does not depend on their number.
+constexpr int kParts = 8;
+
+// A posture at one end that lies outside of the workspace is drawn in by such steps of its shift.
+constexpr float kShrink = 0.1F;
+
+// The best of many, by their value.
+class Best {
+ public:
+  explicit Best(int count) : count_(count) {}
+
+  /// What a path must be below to be one of them.
+  double limit() const {
+    return static_cast<int>(paths_.size()) < count_ ? std::numeric_limits<double>::infinity()
+                                                    : paths_.back().value();
+  }
+
+  void offer(RiskPath path) {
+    if (path.value() >= limit()) return;
+    const auto after = std::upper_bound(
+        paths_.begin(), paths_.end(), path,
+        [](const RiskPath& a, const RiskPath& b) { return a.value() < b.value(); });
+    paths_.insert(after, std::move(path));
+    if (static_cast<int>(paths_.size()) > count_) paths_.pop_back();
+  }
+
+  const std::vector<RiskPath>& paths() const { return paths_; }
+
+ private:
+  int count_;
+  std::vector<RiskPath> paths_;
+};
+
+}  // namespace
+
+PosturePaths::PosturePaths(const RiskMotions& motions, const RiskSpace& space,
+                           const RiskObjective& objective)
+    : motions_(&motions), space_(space), objective_(objective) {}
+
+std::vector<RiskPath> PosturePaths::best(const RiskState& start, const RiskState& goal, int tried,
+                                         int kept, std::uint64_t seed) const {
+  std::vector<Best> parts(kParts, Best(kept));
+  parallelFor(kParts, [&](std::size_t part) {
+    for (int i = static_cast<int>(part); i < tried; i += kParts) {
+      CounterRandom random(mixBits(seed, i));
+      std::vector<RiskState> states = draw(start, goal, &random);
+      if (states.empty() || !mayBeBelow(parts[part].limit(), states)) continue;
+      parts[part].offer(RiskPath(*motions_, objective_, std::move(states)));
+    }
+  });
+  Best all(kept);
+  for (const Best& part : parts) {
+    for (const RiskPath& path : part.paths()) all.offer(path);
+  }
+  return all.paths();
+}
+
+std::vector<RiskState> PosturePaths::draw(const RiskState& start, const RiskState& goal,
+                                          CounterRandom* random) const {
+  const RiskState any = space_.sample(random);
+  const double share = random->uniform();
+  const Eigen::Vector3f shift = static_cast<float>(share * share) * (any.position - start.position);
+  std::vector<RiskState> states = {start};
+  for (const RiskState& end : {start, goal}) {
+    float part = 1.0F;
+    RiskState state{end.position + shift, turned(start, any, random)};
+    if (states.size() > 1) state.rotation = states.back().rotation;
+    while (!space_.contains(state) && part > 0.0F) {
+      part -= kShrink;
+      state.position = end.position + part * shift;
+    }
+    if (part <= 0.0F) return {};
+    states.push_back(state);
+  }
+  states.push_back(goal);
+  return states;
+}
+
+Eigen::Quaternionf PosturePaths::turned(const RiskState& start, const RiskState& any,
+                                        CounterRandom* random) const {
+  if (random->uniform() >= kQuarterShare) return any.rotation;
+  const auto about = [&](const Eigen::Vector3f& axis) {
+    return Eigen::Quaternionf(
+        Eigen::AngleAxisf(kQuarter * static_cast<float>(random->index(4)), axis));
+  };
+  const Eigen::Quaternionf turn = about(Eigen::Vector3f::UnitZ());
+  if (space_.planar()) return turn * start.rotation;
+  return about(Eigen::Vector3f::UnitX()) * about(Eigen::Vector3f::UnitY()) * turn * start.rotation;
+}
+
+// By the middle motion alone, where most of them fail.
+bool PosturePaths::mayBeBelow(double limit, const std::vector<RiskState>& states) const {
+  const double turns =
+      motions_->distance(states[0], states[1]) + motions_->distance(states[2], states[3]);
+  return motions_
+      ->costUnless(
+          states[1], states[2],
+          [&](const MotionCost& part) { return turns + pathValue(part, objective_) > limit; })
+      .has_value();
+}
+
+}  // namespace smore
