@@ -124,6 +124,7 @@ void SurfaceExtents::joinObject(int hypothesis, ForbiddenMatter* forbidden) {
     by_id.emplace(samples_.contacts[k].id, samples_.contacts[k].object.at(place));
   }
   std::vector<Eigen::Vector3f> places;
+  places.reserve(by_id.size());
   for (const auto& entry : by_id) places.push_back(entry.second);
   CounterRandom random(mixBits(~seed_, hypothesis));
   const auto distance = static_cast<float>(feature_.conflictDistance());

@@ -18,17 +18,18 @@ template <typename Enter>
 void flood(int radius, bool planar, const Enter& enter) {
   const int width = 2 * radius + 1;
   std::vector<char> asked(static_cast<std::size_t>(width) * width, 0);
-  const auto askedAt = [&](const LatticePoint& at) -> char& {
-    return asked[(at[1] + radius) * width + at[0] + radius];
+  const auto index = [&](const LatticePoint& at) {
+    return (at[1] + radius) * width + at[0] + radius;
   };
   std::vector<LatticePoint> reached = {{0, 0}};
-  askedAt({0, 0}) = 1;
+  asked[index({0, 0})] = 1;
   for (std::size_t i = 0; i < reached.size(); ++i) {
     const auto [x, y] = reached[i];
     for (const LatticePoint& next : {LatticePoint{x + 1, y}, {x - 1, y}, {x, y + 1}, {x, y - 1}}) {
       if (planar && next[1] != 0) continue;
-      if (next[0] * next[0] + next[1] * next[1] > radius * radius || askedAt(next) != 0) continue;
-      askedAt(next) = 1;
+      if (next[0] * next[0] + next[1] * next[1] > radius * radius || asked[index(next)] != 0)
+        continue;
+      asked[index(next)] = 1;
       if (enter(next)) reached.push_back(next);
     }
   }
@@ -49,10 +50,10 @@ std::array<Eigen::Vector3f, 2> tangents(const Eigen::Vector3f& normal, bool plan
 std::vector<Eigen::Vector3f> growPatch(const SurfacePatch& patch, bool planar,
                                        const MatterAllowed& allowed, CounterRandom* random) {
   std::vector<Eigen::Vector3f> points;
-  const auto [first, second] = tangents(patch.normal, planar, random);
+  const std::array<Eigen::Vector3f, 2> axes = tangents(patch.normal, planar, random);
   flood(static_cast<int>(patch.radius / patch.step), planar, [&](const LatticePoint& at) {
-    const Eigen::Vector3f point = patch.center + patch.step * (static_cast<float>(at[0]) * first +
-                                                               static_cast<float>(at[1]) * second);
+    const Eigen::Vector3f point = patch.center + patch.step * (static_cast<float>(at[0]) * axes[0] +
+                                                               static_cast<float>(at[1]) * axes[1]);
     if (!allowed(point)) return false;
     points.push_back(point);
     return true;

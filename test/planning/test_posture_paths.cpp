@@ -21,7 +21,7 @@ RiskSpace spaceOf(Motion motion) {
 class PosturePathsIn : public testing::TestWithParam<Motion> {
  protected:
   const RiskSpace space_ = spaceOf(GetParam());
-  const SampledWorlds nothing_known_;
+  const SampledWorlds nothing_known_{};
   const RiskMotions motions_{nothing_known_, kLever};
   const RiskState start_ = space_.toState(makePose({0, 0, 0}));
   const RiskState goal_ = space_.toState(makePose({-1, 0.1, 0}));
