@@ -9,8 +9,6 @@
 namespace smore {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // Ways that are tried for a tie. The first is straight as often as not; the point that the others
 // lead over lies beside the middle by this share of the distance (one standard deviation an axis),
 // and farther with each try.
@@ -30,11 +28,6 @@ Points apart(const Points& places, float distance) {
     if (!near) result.push_back(place);
   }
   return result;
-}
-
-double standardNormal(CounterRandom* random) {
-  const double radius = std::sqrt(-2.0 * std::log1p(-random->uniform()));
-  return radius * std::cos(2.0 * kPi * random->uniform());
 }
 
 class Tie {
@@ -58,7 +51,7 @@ class Tie {
     Eigen::Vector3f middle = 0.5F * (from_ + to_);
     const double size = detour * (to_ - from_).norm();
     for (int axis = 0; axis < 3; ++axis) {
-      middle[axis] += static_cast<float>(size * standardNormal(random));
+      middle[axis] += static_cast<float>(size * random->normal());
     }
     return middle;
   }

@@ -8,8 +8,6 @@
 namespace smore {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 using LatticePoint = std::array<int, 2>;
 
 // The nodes of a square lattice within `radius` steps of its origin that are reached from there
@@ -40,7 +38,7 @@ std::array<Eigen::Vector3f, 2> tangents(const Eigen::Vector3f& normal, bool plan
   if (planar) return {Eigen::Vector3f(-normal.y(), normal.x(), 0.0F), Eigen::Vector3f::UnitZ()};
   const Eigen::Vector3f first = normal.unitOrthogonal();
   const Eigen::Vector3f second = normal.cross(first);
-  const auto turn = static_cast<float>(2.0 * kPi * random->uniform());
+  const auto turn = static_cast<float>(2.0 * M_PI * random->uniform());
   return {std::cos(turn) * first + std::sin(turn) * second,
           std::cos(turn) * second - std::sin(turn) * first};
 }

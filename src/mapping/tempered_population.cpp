@@ -11,9 +11,7 @@
 namespace smore {
 namespace {
 
-// A step of the temperature is as long as leaves this share of the chains something to say, but
-// not shorter than this part of the longest.
-constexpr double kLeastShare = 0.3;
+// Steps of the temperature are halved down to this part of the longest.
 constexpr double kShortestStep = 1.0 / 16.0;
 
 constexpr double kRounding = 1e-9;  // of the sum of all steps
@@ -80,7 +78,7 @@ double TemperedPopulation::nextStep(const std::vector<double>& bindings, double 
   const double longest = 1.0 / parameters_.temperatures;
   double step = left <= longest * (1.0 + kRounding) ? left : longest;
   while (step > kShortestStep * longest &&
-         effectiveShare(weightsOf(bindings, step)) < kLeastShare) {
+         effectiveShare(weightsOf(bindings, step)) < parameters_.least_share) {
     step *= 0.5;
   }
   return step;

@@ -2,6 +2,7 @@
 #include "smore/planning/posture_paths.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "smore/common/parallel_for.h"
@@ -9,7 +10,6 @@
 namespace smore {
 namespace {
 
-constexpr float kQuarter = 1.57079632679489662F;
 constexpr double kQuarterShare = 0.5;
 
 // Parts of the work for the processor's cores. What comes out does not depend on their number.
@@ -31,9 +31,7 @@ class Best {
 
   void offer(RiskPath path) {
     if (path.value() >= limit()) return;
-    const auto after = std::upper_bound(
-        paths_.begin(), paths_.end(), path,
-        [](const RiskPath& a, const RiskPath& b) { return a.value() < b.value(); });
+    const auto after = std::upper_bound(paths_.begin(), paths_.end(), path, isBetter);
     paths_.insert(after, std::move(path));
     if (static_cast<int>(paths_.size()) > count_) paths_.pop_back();
   }
@@ -74,11 +72,11 @@ std::vector<RiskState> PosturePaths::draw(const RiskState& start, const RiskStat
   const RiskState any = space_.sample(random);
   const double share = random->uniform();
   const Eigen::Vector3f shift = static_cast<float>(share * share) * (any.position - start.position);
+  const Eigen::Quaternionf rotation = turned(start, any, random);
   std::vector<RiskState> states = {start};
   for (const RiskState& end : {start, goal}) {
     float part = 1.0F;
-    RiskState state{end.position + shift, turned(start, any, random)};
-    if (states.size() > 1) state.rotation = states.back().rotation;
+    RiskState state{end.position + shift, rotation};
     while (!space_.contains(state) && part > 0.0F) {
       part -= kShrink;
       state.position = end.position + part * shift;
@@ -95,7 +93,7 @@ Eigen::Quaternionf PosturePaths::turned(const RiskState& start, const RiskState&
   if (random->uniform() >= kQuarterShare) return any.rotation;
   const auto about = [&](const Eigen::Vector3f& axis) {
     return Eigen::Quaternionf(
-        Eigen::AngleAxisf(kQuarter * static_cast<float>(random->index(4)), axis));
+        Eigen::AngleAxisf(static_cast<float>(M_PI_2) * static_cast<float>(random->index(4)), axis));
   };
   const Eigen::Quaternionf turn = about(Eigen::Vector3f::UnitZ());
   if (space_.planar()) return turn * start.rotation;

@@ -32,8 +32,7 @@ constexpr double kMoveDistance = 0.05;  // of inner states of a path [m]
 constexpr std::size_t kFinalists = 3;
 
 void sortByValue(std::vector<RiskPath>* paths) {
-  std::stable_sort(paths->begin(), paths->end(),
-                   [](const RiskPath& a, const RiskPath& b) { return a.value() < b.value(); });
+  std::stable_sort(paths->begin(), paths->end(), isBetter);
 }
 
 }  // namespace

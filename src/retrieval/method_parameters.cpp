@@ -37,6 +37,7 @@ ParameterSection beliefSection(JointBeliefParameters* belief) {
            {"conflict_cost", &distribution.conflict_cost, kStrength},
            {"false_contact", &distribution.false_contact, kShare},
            {"temperatures", &distribution.temperatures, kSteps},
+           {"least_share", &distribution.least_share, kShare},
            {"sweeps", &distribution.sweeps, kSweeps},
            {"most_contacts", &belief->most_contacts, kContacts},
            {"shortest_patch", &belief->extent.shortest, kLength},

@@ -39,9 +39,7 @@ TEST_P(PosturePathsIn, KeepsTheBestOfAllThatAreTried) {
   for (std::size_t i = 0; i < few.size(); ++i) {
     EXPECT_EQ(few[i].value(), all[i].value());
   }
-  EXPECT_TRUE(std::is_sorted(all.begin(), all.end(), [](const RiskPath& a, const RiskPath& b) {
-    return a.value() < b.value();
-  }));
+  EXPECT_TRUE(std::is_sorted(all.begin(), all.end(), isBetter));
 }
 
 TEST_P(PosturePathsIn, GoesOnInOnePostureInsideOfTheWorkspace) {

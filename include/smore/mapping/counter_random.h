@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace smore {
@@ -31,6 +32,12 @@ class CounterRandom {
 
   /// Uniform in [-1, 1).
   double symmetric() { return 2.0 * uniform() - 1.0; }
+
+  /// Standard normal (Box and Muller).
+  double normal() {
+    const double radius = std::sqrt(-2.0 * std::log1p(-uniform()));
+    return radius * std::cos(2.0 * M_PI * uniform());
+  }
 
   /// Uniform in [0, count); `count` is positive.
   int index(int count) { return static_cast<int>(uniform() * count); }

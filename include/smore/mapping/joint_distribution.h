@@ -30,8 +30,9 @@ struct DistributionParameters {
   double conflict_cost = 4.0;  ///< log odds against one contradiction with free space
   double false_contact = 0.02;  ///< probability that a contact tells nothing
   int temperatures =
-      12;          ///< least number of steps from independent contacts to the whole distribution
-  int sweeps = 3;  ///< of Gibbs sampling after the last of these steps
+      12;  ///< least number of steps from independent contacts to the whole distribution
+  double least_share = 0.3;  ///< of the chains that must count after a step; else it is halved
+  int sweeps = 3;            ///< of Gibbs sampling after the last of these steps
 };
 
 /// One explanation of all contacts: for each its place, or kFalseContact.

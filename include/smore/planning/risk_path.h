@@ -57,4 +57,7 @@ class RiskPath {
   double value_ = 0.0;
 };
 
+/// Whether path a is to be taken rather than b.
+inline bool isBetter(const RiskPath& a, const RiskPath& b) { return a.value() < b.value(); }
+
 }  // namespace smore
