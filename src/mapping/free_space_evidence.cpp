@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "smore/common/parallel_for.h"
 #include "smore/mapping/counter_random.h"
 
 namespace smore {
@@ -66,13 +67,25 @@ void FreeSpaceEvidence::addContact(const ContactHypotheses& contact) {
   tables_.emplace_back(tables_.size() + 1);
   object_index_.build(object_places_);
   world_index_.build(world_places_);
-  for (const Eigen::Isometry3f& T : poses_) {
-    const Eigen::Isometry3f T_object_map = T.inverse();
-    for (int i = first; i < first + contact.count; ++i) {
-      world_index_.forNear(T * object_places_[i], [&](int j) { mark(i, j); });
-      object_index_.forNear(T_object_map * world_places_[i], [&](int j) { mark(j, i); });
+  // Its places on the object with all in the world; its places in the world with those on the
+  // object of all contacts before. The two write into different tables.
+  const int end = first + contact.count;
+  parallelFor(2, [&](std::size_t role) {
+    for (const Eigen::Isometry3f& T : poses_) {
+      if (role == 0) {
+        for (int i = first; i < end; ++i) {
+          world_index_.forNear(T * object_places_[i], [&](int j) { mark(i, j); });
+        }
+        continue;
+      }
+      const Eigen::Isometry3f T_object_map = T.inverse();
+      for (int j = first; j < end; ++j) {
+        object_index_.forNear(T_object_map * world_places_[j], [&](int i) {
+          if (i < first) mark(i, j);
+        });
+      }
     }
-  }
+  });
 }
 
 void FreeSpaceEvidence::removeContact(int contact) {

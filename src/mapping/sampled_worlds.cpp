@@ -30,9 +30,10 @@ SampledWorlds::SampledWorlds(const WorldSamples& samples, const FeatureParameter
   const float half_diagonal = 0.5F * block * std::sqrt(planar ? 2.0F : 3.0F);
   object_moves_ = object_.size() <= world_.size();
   const std::vector<MaskedPoint>& fixed = object_moves_ ? world_ : object_;
-  near_ball_ = MaskGrid(fixed, distance, distance / 5.0F);
+  // A half and a whole cell of the lattice on which the points lie.
+  near_ball_ = MaskGrid(fixed, distance, distance / 6.0F);
   // One more cell than the geometry needs makes up for the lattices' rounding.
-  near_block_ = MaskGrid(fixed, 1.4F * distance + half_diagonal, distance / 2.5F);
+  near_block_ = MaskGrid(fixed, 1.4F * distance + half_diagonal, distance / 3.0F);
   makeBlocks(object_moves_ ? object_ : world_, block);
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/mapping/surface_extents.h"
 
+#include <array>
 #include <cmath>
 #include <map>
 
+#include "smore/common/parallel_for.h"
 #include "smore/mapping/counter_random.h"
 #include "smore/mapping/joined_touches.h"
 
@@ -35,8 +37,8 @@ SurfaceExtents::SurfaceExtents(const WorldSamples& samples, const FeatureParamet
       object_(latticeCell(feature)),
       world_(latticeCell(feature)) {
   addTouches();
-  growObject();
-  growWorld();
+  grow(Side::kObject);
+  grow(Side::kWorld);
 }
 
 void SurfaceExtents::addTouches() {
@@ -51,71 +53,81 @@ void SurfaceExtents::addTouches() {
   }
 }
 
-void SurfaceExtents::growObject() {
-  ForbiddenMatter forbidden = forbiddenFor(Side::kObject);
-  growPatches(Side::kObject, &forbidden);
-  if (planar_) return;
-  for (int m = 0; m < kHypotheses; ++m) joinObject(m, &forbidden);
-}
-
-void SurfaceExtents::growWorld() {
-  ForbiddenMatter forbidden = forbiddenFor(Side::kWorld);
-  growPatches(Side::kWorld, &forbidden);
+// Each hypothesis by itself, on all processor cores; what comes out does not depend on how many
+// there are.
+void SurfaceExtents::grow(Side side) {
+  const ForbiddenMatter forbidden = forbiddenFor(side);
+  std::array<std::vector<Eigen::Vector3f>, kHypotheses> grown;
+  parallelFor(kHypotheses, [&](std::size_t i) {
+    const int m = static_cast<int>(i);
+    const MatterAllowed allowed = allowedFor(side, m, forbidden);
+    grown[m] = patches(side, m, allowed);
+    if (side == Side::kWorld || planar_) return;
+    const std::vector<Eigen::Vector3f> tied = ties(m, allowed);
+    grown[m].insert(grown[m].end(), tied.begin(), tied.end());
+  });
+  MaskedPoints& matter = side == Side::kObject ? object_ : world_;
+  for (int m = 0; m < kHypotheses; ++m) {
+    for (const Eigen::Vector3f& point : grown[m]) matter.add(point, HypothesisMask{1} << m);
+  }
 }
 
 ForbiddenMatter SurfaceExtents::forbiddenFor(Side side) const {
   const bool on_object = side == Side::kObject;
-  std::vector<Eigen::Isometry3f> poses;
-  poses.reserve(samples_.evidence.poses().size());
-  for (const Eigen::Isometry3f& T : samples_.evidence.poses()) {
-    poses.push_back(on_object ? T : T.inverse());
+  std::vector<Eigen::Isometry3f> poses = samples_.evidence.poses();
+  if (on_object) {
+    for (Eigen::Isometry3f& T : poses) T = T.inverse();
   }
-  return {on_object ? world_.points() : object_.points(), std::move(poses),
-          static_cast<float>(feature_.conflictDistance()), latticeCell(feature_)};
+  const auto longest = static_cast<float>(longestRadius(side));
+  const MaskedPoints& matter = on_object ? object_ : world_;
+  return {on_object ? world_.points() : object_.points(), poses,
+          boxAround(matter.points(), longest), static_cast<float>(feature_.conflictDistance()),
+          latticeCell(feature_)};
 }
 
 MatterAllowed SurfaceExtents::allowedFor(Side side, int hypothesis,
-                                         ForbiddenMatter* forbidden) const {
+                                         const ForbiddenMatter& forbidden) const {
   const HypothesisMask bit = HypothesisMask{1} << hypothesis;
   const bool on_object = side == Side::kObject;
   const auto reach = static_cast<float>(feature_.reach);
-  return [=](const Eigen::Vector3f& point) {
-    return (!on_object || point.norm() <= reach) && (forbidden->at(point) & bit) == 0;
+  return [&forbidden, bit, on_object, reach](const Eigen::Vector3f& point) {
+    return (!on_object || point.norm() <= reach) && (forbidden.at(point) & bit) == 0;
   };
 }
 
-double SurfaceExtents::patchRadius(Side side, int hypothesis) const {
-  const bool on_object = side == Side::kObject;
-  const double longest = !on_object ? extent_.world_longest
-                                    : (planar_ ? extent_.object_longest : extent_.corner_longest);
-  const double place = (on_object ? otherOrder(hypothesis) : hypothesis) + 0.5;
-  return extent_.shortest * std::pow(longest / extent_.shortest, place / kHypotheses);
+double SurfaceExtents::longestRadius(Side side) const {
+  if (side == Side::kWorld) return extent_.world_longest;
+  return planar_ ? extent_.object_longest : extent_.corner_longest;
 }
 
-void SurfaceExtents::growPatches(Side side, ForbiddenMatter* forbidden) {
+double SurfaceExtents::patchRadius(Side side, int hypothesis) const {
+  const double place = (side == Side::kObject ? otherOrder(hypothesis) : hypothesis) + 0.5;
+  return extent_.shortest * std::pow(longestRadius(side) / extent_.shortest, place / kHypotheses);
+}
+
+std::vector<Eigen::Vector3f> SurfaceExtents::patches(Side side, int hypothesis,
+                                                     const MatterAllowed& allowed) const {
   const bool on_object = side == Side::kObject;
-  MaskedPoints& matter = on_object ? object_ : world_;
   SurfacePatch patch;
   patch.step =
       static_cast<float>((planar_ ? kPlanarStep : kSpatialStep) * feature_.conflictDistance());
-  for (int m = 0; m < kHypotheses; ++m) {
-    const MatterAllowed allowed = allowedFor(side, m, forbidden);
-    patch.radius = static_cast<float>(patchRadius(side, m));
-    for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
-      const ContactHypotheses& contact = samples_.contacts[k];
-      const int place = samples_.explanations[m][k];
-      if (place == kFalseContact) continue;
-      patch.center = (on_object ? contact.object : contact.world).at(place);
-      patch.normal = (on_object ? contact.object_normal : contact.world_normal).at(place);
-      CounterRandom random(mixBits(contact.id, mixBits(seed_, 2 * m + (on_object ? 1 : 0))));
-      for (const Eigen::Vector3f& point : growPatch(patch, planar_, allowed, &random)) {
-        matter.add(point, HypothesisMask{1} << m);
-      }
-    }
+  patch.radius = static_cast<float>(patchRadius(side, hypothesis));
+  std::vector<Eigen::Vector3f> result;
+  for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
+    const ContactHypotheses& contact = samples_.contacts[k];
+    const int place = samples_.explanations[hypothesis][k];
+    if (place == kFalseContact) continue;
+    patch.center = (on_object ? contact.object : contact.world).at(place);
+    patch.normal = (on_object ? contact.object_normal : contact.world_normal).at(place);
+    CounterRandom random(mixBits(contact.id, mixBits(seed_, 2 * hypothesis + (on_object ? 1 : 0))));
+    const std::vector<Eigen::Vector3f> points = growPatch(patch, planar_, allowed, &random);
+    result.insert(result.end(), points.begin(), points.end());
   }
+  return result;
 }
 
-void SurfaceExtents::joinObject(int hypothesis, ForbiddenMatter* forbidden) {
+std::vector<Eigen::Vector3f> SurfaceExtents::ties(int hypothesis,
+                                                  const MatterAllowed& allowed) const {
   // By their ids, so that the order of the observations does not matter.
   std::map<std::uint64_t, Eigen::Vector3f> by_id;
   for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
@@ -127,11 +139,7 @@ void SurfaceExtents::joinObject(int hypothesis, ForbiddenMatter* forbidden) {
   places.reserve(by_id.size());
   for (const auto& entry : by_id) places.push_back(entry.second);
   CounterRandom random(mixBits(~seed_, hypothesis));
-  const auto distance = static_cast<float>(feature_.conflictDistance());
-  for (const Eigen::Vector3f& point :
-       joinTouches(places, distance, allowedFor(Side::kObject, hypothesis, forbidden), &random)) {
-    object_.add(point, HypothesisMask{1} << hypothesis);
-  }
+  return joinTouches(places, static_cast<float>(feature_.conflictDistance()), allowed, &random);
 }
 
 }  // namespace smore

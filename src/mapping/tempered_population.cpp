@@ -4,15 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "smore/common/parallel_for.h"
 #include "smore/mapping/counter_random.h"
+#include "smore/mapping/gibbs_sweep.h"
 
 namespace smore {
 namespace {
 
 // Steps of the temperature are halved down to this part of the longest.
-constexpr double kShortestStep = 1.0 / 16.0;
+constexpr double kShortestStep = 1.0 / 4.0;
 
 constexpr double kRounding = 1e-9;  // of the sum of all steps
 
@@ -43,7 +45,9 @@ TemperedPopulation::TemperedPopulation(const std::vector<ContactHypotheses>& con
                                        const FreeSpaceEvidence& evidence,
                                        const DistributionParameters& parameters, int count,
                                        std::uint64_t seed)
-    : parameters_(parameters),
+    : contacts_(contacts),
+      evidence_(evidence),
+      parameters_(parameters),
       seed_(seed),
       chains_(count, GibbsChain(contacts, evidence, parameters)) {}
 
@@ -65,7 +69,27 @@ std::vector<Explanation> TemperedPopulation::run() {
 }
 
 void TemperedPopulation::sweep(double heat, std::uint64_t seed) {
-  parallelFor(chains_.size(), [&](std::size_t m) { chains_[m].sweep(heat, mixBits(seed, m)); });
+  const std::vector<int> order = visitOrder(seed);
+  const std::size_t groups = std::min(chains_.size(), coreCount());
+  parallelFor(groups, [&](std::size_t group) {
+    std::vector<SweptChain> swept;
+    for (std::size_t m = group; m < chains_.size(); m += groups) {
+      swept.push_back({&chains_[m], mixBits(seed, m)});
+    }
+    GibbsSweep(contacts_, evidence_, parameters_, std::move(swept), heat).run(order);
+  });
+}
+
+std::vector<int> TemperedPopulation::visitOrder(std::uint64_t seed) const {
+  std::vector<std::pair<std::uint64_t, int>> keyed;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    keyed.emplace_back(mixBits(contacts_[k].id, seed), static_cast<int>(k));
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<int> order;
+  order.reserve(keyed.size());
+  for (const auto& entry : keyed) order.push_back(entry.second);
+  return order;
 }
 
 std::vector<double> TemperedPopulation::bindingOfChains() const {

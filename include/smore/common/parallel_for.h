@@ -8,11 +8,14 @@
 
 namespace smore {
 
+/// Processor cores, at least 1.
+inline std::size_t coreCount() { return std::max(1U, std::thread::hardware_concurrency()); }
+
 /// Calls `work(i)` for each i below `count`, on all processor cores at once; returns when all calls
 /// have. The calls must not depend on one another, nor throw.
 template <typename Work>
 void parallelFor(std::size_t count, const Work& work) {
-  const std::size_t threads = std::min<std::size_t>(std::thread::hardware_concurrency(), count);
+  const std::size_t threads = std::min(coreCount(), count);
   const auto share = [&](std::size_t first) {
     for (std::size_t i = first; i < count; i += threads) work(i);
   };

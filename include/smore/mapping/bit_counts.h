@@ -26,12 +26,19 @@ class BitCounts {
     }
   }
 
-  int of(std::size_t bit) const {
-    int count = 0;
+  /// Of each bit.
+  std::array<std::int32_t, 64 * Words> counts() const {
+    std::array<std::int32_t, 64 * Words> result{};
     for (std::size_t digit = 0; digit < used_; ++digit) {
-      count |= static_cast<int>((digits_[digit][bit / 64] >> (bit % 64)) & 1U) << digit;
+      for (std::size_t word = 0; word < Words; ++word) {
+        const std::uint64_t digits = digits_[digit][word];
+        if (digits == 0) continue;
+        for (std::size_t bit = 0; bit < 64; ++bit) {
+          result[64 * word + bit] |= static_cast<std::int32_t>((digits >> bit) & 1U) << digit;
+        }
+      }
     }
-    return count;
+    return result;
   }
 
  private:

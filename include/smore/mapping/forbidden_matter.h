@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <unordered_map>
 #include <vector>
 
 #include "smore/mapping/mask_grid.h"
@@ -10,24 +9,22 @@
 namespace smore {
 
 /// Where one side, the object or the world, cannot hold matter: there it would have overlapped the
-/// other side's matter at a pose that was free.
+/// other side's matter at a pose that was free. Made at once for a whole region, by sweeping the
+/// other side's matter through it.
 class ForbiddenMatter {
  public:
   /// `other`: centres of the other side's balls. `poses`: the free poses as transforms from the
-  /// frame of the side that is asked for to the other's. Balls whose centres are nearer than
-  /// `distance` [m] overlap. Answers are those at the nearest point of a lattice of `cell` [m].
-  ForbiddenMatter(const std::vector<MaskedPoint>& other, std::vector<Eigen::Isometry3f> poses,
+  /// other side's frame to that of the side that is asked for; `region` is in the latter. Balls
+  /// whose centres are nearer than `distance` [m] overlap, to the accuracy of `cell` [m].
+  ForbiddenMatter(const std::vector<MaskedPoint>& other,
+                  const std::vector<Eigen::Isometry3f>& poses, const Eigen::AlignedBox3f& region,
                   float distance, float cell);
 
-  /// The hypotheses in which no ball can be centred at `point`, in the frame of the side that is
-  /// asked for.
-  HypothesisMask at(const Eigen::Vector3f& point);
+  /// The hypotheses in which no ball can be centred at `point`; none outside of the region.
+  HypothesisMask at(const Eigen::Vector3f& point) const { return swept_.at(point); }
 
  private:
-  MaskGrid other_;
-  std::vector<Eigen::Isometry3f> poses_;
-  float cell_;
-  std::unordered_map<std::uint64_t, HypothesisMask> known_;  ///< answers by cell
+  MaskGrid swept_;
 };
 
 }  // namespace smore

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -9,25 +8,10 @@
 
 namespace smore {
 
-/// One chain of Gibbs sampling of a JointDistribution at a temperature: with what binds the
-/// contacts to one another and to free space raised to the power `heat` in [0, 1]. Views of its
-/// arguments.
+/// The state of one chain of Gibbs sampling of a JointDistribution: an explanation, with what its
+/// touches say for one another. At first all contacts are false. Views of its arguments.
 class GibbsChain {
  public:
-  GibbsChain(const std::vector<ContactHypotheses>& contacts, const FreeSpaceEvidence& evidence,
-             const DistributionParameters& parameters);
-
-  /// Draws each contact anew given all others, once, in a random order.
-  void sweep(double heat, std::uint64_t seed);
-
-  /// What `heat` multiplies in the log density: attraction less the cost of conflicts.
-  double binding() const;
-
-  const Explanation& explanation() const { return places_; }
-
- private:
-  using Row = std::array<float, kCandidates>;
-
   /// The chosen balls of one map, by contact; valid only where a place is chosen.
   struct Side {
     Side(std::size_t contacts, const AttractionParameters& attraction);
@@ -43,15 +27,23 @@ class GibbsChain {
     std::vector<float> sums;  ///< of the kernels of all other contacts
   };
 
-  std::vector<int> visitOrder(std::uint64_t seed) const;
+  GibbsChain(const std::vector<ContactHypotheses>& contacts, const FreeSpaceEvidence& evidence,
+             const DistributionParameters& parameters);
+
+  /// Takes a contact out of the explanation: a false contact from now on.
   void remove(int contact);
+  /// Gives a contact that is false a place; kFalseContact leaves it so.
   void add(int contact, int place);
+
+  /// What the temperature acts on in the log density: attraction less the cost of conflicts.
+  double binding() const;
+
+  const Explanation& explanation() const { return places_; }
+  const Side& object() const { return object_; }
+  const Side& world() const { return world_; }
+
+ private:
   void changeSums(int contact, float sign);
-  int draw(int contact, double heat, std::uint64_t seed) const;
-  void logWeights(int contact, double heat, Row* log_weight) const;
-  void addAttraction(int contact, const Side& side, const PointArray& places,
-                     const PointArray& normals, Row* log_weight) const;
-  void countConflicts(int contact, Row* conflicts) const;
 
   const std::vector<ContactHypotheses>* contacts_;
   const FreeSpaceEvidence* evidence_;

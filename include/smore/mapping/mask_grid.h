@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -41,26 +42,50 @@ class MaskedPoints {
   std::unordered_map<std::uint64_t, std::size_t> index_;
 };
 
+/// A box that holds the points with `margin` [m] to spare; planar points (all z equal to 0) get a
+/// flat one.
+Eigen::AlignedBox3f boxAround(const std::vector<MaskedPoint>& points, float margin);
+
 /// A dense grid of masks over a box: in which hypotheses a point is near matter. 0 outside.
 class MaskGrid {
  public:
   MaskGrid() = default;
 
-  /// The union of balls of `radius` around the points. `cell` is enlarged where the box would have
-  /// more cells than memory and time allow; planar points (all z equal to 0) make a flat grid.
+  /// No matter yet, over `box`. `cell` is doubled where the box would have more cells than memory
+  /// and time allow, and again; a box that is flat at z = 0 makes a flat grid.
+  MaskGrid(const Eigen::AlignedBox3f& box, float cell);
+
+  /// The union of balls of `radius` around the cells that hold the points.
   MaskGrid(const std::vector<MaskedPoint>& points, float radius, float cell);
 
+  /// Matter at all points in one cell; nothing happens outside of the box.
+  void mark(const Eigen::Vector3f& point, HypothesisMask mask) {
+    const std::size_t cell = indexOf(point);
+    if (cell < masks_.size()) masks_[cell] |= mask;
+  }
+
+  /// Turns each marked cell into a ball of `radius` around its centre.
+  void dilate(float radius);
+
   HypothesisMask at(const Eigen::Vector3f& point) const {
-    // Outside of the box, and for values that are not numbers, some index is too large as unsigned.
-    const auto x = static_cast<unsigned>(static_cast<int>((point.x() - min_.x()) * inverse_cell_));
-    const auto y = static_cast<unsigned>(static_cast<int>((point.y() - min_.y()) * inverse_cell_));
-    const auto z = static_cast<unsigned>(static_cast<int>((point.z() - min_.z()) * inverse_cell_));
-    if (x >= width_ || y >= depth_ || z >= height_) return 0;
-    return masks_[(z * depth_ + y) * width_ + x];
+    const std::size_t cell = indexOf(point);
+    return cell < masks_.size() ? masks_[cell] : 0;
   }
 
  private:
-  void stamp(const MaskedPoint& ball, float radius);
+  /// Of the cell that holds the point; too large outside of the box, and for values that are not
+  /// numbers.
+  std::size_t indexOf(const Eigen::Vector3f& point) const {
+    const auto x = static_cast<unsigned>(static_cast<int>((point.x() - min_.x()) * inverse_cell_));
+    const auto y = static_cast<unsigned>(static_cast<int>((point.y() - min_.y()) * inverse_cell_));
+    const auto z = static_cast<unsigned>(static_cast<int>((point.z() - min_.z()) * inverse_cell_));
+    if (x >= width_ || y >= depth_ || z >= height_) return masks_.size();
+    return (z * depth_ + y) * width_ + x;
+  }
+  struct BallRow;
+  static std::vector<BallRow> rowsOfBall(float radius);
+  void addBalls(const std::vector<HypothesisMask>& marked, const std::vector<BallRow>& ball,
+                int first, int end);
 
   Eigen::Vector3f min_ = Eigen::Vector3f::Zero();
   unsigned width_ = 0;  ///< cells along x, y and z

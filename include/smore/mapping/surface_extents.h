@@ -29,13 +29,14 @@ class SurfaceExtents {
   enum class Side { kObject, kWorld };
 
   void addTouches();
-  void growObject();
-  void growWorld();
-  void growPatches(Side side, ForbiddenMatter* forbidden);
-  void joinObject(int hypothesis, ForbiddenMatter* forbidden);
-  double patchRadius(Side side, int hypothesis) const;
+  void grow(Side side);
   ForbiddenMatter forbiddenFor(Side side) const;
-  MatterAllowed allowedFor(Side side, int hypothesis, ForbiddenMatter* forbidden) const;
+  MatterAllowed allowedFor(Side side, int hypothesis, const ForbiddenMatter& forbidden) const;
+  std::vector<Eigen::Vector3f> patches(Side side, int hypothesis,
+                                       const MatterAllowed& allowed) const;
+  std::vector<Eigen::Vector3f> ties(int hypothesis, const MatterAllowed& allowed) const;
+  double patchRadius(Side side, int hypothesis) const;
+  double longestRadius(Side side) const;
 
   const WorldSamples& samples_;
   const FeatureParameters& feature_;

@@ -32,7 +32,11 @@ class TemperedPopulation {
   /// the places of chains that end, so that a small change of the evidence changes few chains.
   void continueChains(std::vector<int> copies);
   void sweep(double heat, std::uint64_t seed);
+  /// Of the contacts: random, and by their ids alone.
+  std::vector<int> visitOrder(std::uint64_t seed) const;
 
+  const std::vector<ContactHypotheses>& contacts_;
+  const FreeSpaceEvidence& evidence_;
   DistributionParameters parameters_;
   std::uint64_t seed_;
   std::vector<GibbsChain> chains_;

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "smore/mapping/forbidden_matter.h"
+
+namespace smore {
+namespace {
+
+constexpr float kCell = 0.014F;
+constexpr float kDistance = 0.042F;
+
+class Random {
+ public:
+  Eigen::Vector3f point(float size) {
+    std::uniform_real_distribution<float> uniform(-size, size);
+    return {uniform(engine_), uniform(engine_), uniform(engine_)};
+  }
+  Eigen::Isometry3f pose() {
+    std::normal_distribution<float> normal;
+    const Eigen::Quaternionf turn(normal(engine_), normal(engine_), normal(engine_),
+                                  normal(engine_));
+    Eigen::Isometry3f T = Eigen::Isometry3f::Identity();
+    T.linear() = turn.normalized().toRotationMatrix();
+    T.translation() = point(0.2F);
+    return T;
+  }
+  std::vector<MaskedPoint> balls(int count) {
+    std::vector<MaskedPoint> result;
+    for (int i = 0; i < count; ++i) result.push_back({point(0.2F), HypothesisMask{1} << (i % 64)});
+    return result;
+  }
+
+ private:
+  std::mt19937 engine_{3};
+};
+
+// The hypotheses with a ball nearer than `distance` at some pose.
+HypothesisMask nearAtSomePose(const std::vector<MaskedPoint>& balls,
+                              const std::vector<Eigen::Isometry3f>& poses,
+                              const Eigen::Vector3f& point, float distance) {
+  HypothesisMask mask = 0;
+  for (const Eigen::Isometry3f& T : poses) {
+    for (const MaskedPoint& ball : balls) {
+      if ((T * ball.point - point).norm() < distance) mask |= ball.mask;
+    }
+  }
+  return mask;
+}
+
+TEST(ForbiddenMatter, IsWhereTheOtherSideWasToTheAccuracyOfItsCells) {
+  Random random;
+  const std::vector<MaskedPoint> balls = random.balls(80);
+  std::vector<Eigen::Isometry3f> poses;
+  for (int i = 0; i < 12; ++i) poses.push_back(random.pose());
+  const Eigen::AlignedBox3f region(Eigen::Vector3f::Constant(-0.3F),
+                                   Eigen::Vector3f::Constant(0.3F));
+  const ForbiddenMatter forbidden(balls, poses, region, kDistance, kCell);
+  // A ball and the point that is asked for are each at most half a diagonal from their cells.
+  const float error = kCell * std::sqrt(3.0F);
+  int some = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3f point = random.point(0.25F);
+    const HypothesisMask mask = forbidden.at(point);
+    EXPECT_EQ(nearAtSomePose(balls, poses, point, kDistance - error) & ~mask, 0U) << i;
+    EXPECT_EQ(mask & ~nearAtSomePose(balls, poses, point, kDistance + error), 0U) << i;
+    some += mask != 0 ? 1 : 0;
+  }
+  EXPECT_GT(some, 1000);
+}
+
+TEST(ForbiddenMatter, EndsWithItsRegion) {
+  const Eigen::AlignedBox3f region(Eigen::Vector3f::Zero(), Eigen::Vector3f::Constant(0.1F));
+  const ForbiddenMatter forbidden({{Eigen::Vector3f::Constant(0.1F), 1}},
+                                  {Eigen::Isometry3f::Identity()}, region, kDistance, kCell);
+  EXPECT_EQ(forbidden.at(Eigen::Vector3f::Constant(0.09F)), 1U);
+  EXPECT_EQ(forbidden.at(Eigen::Vector3f::Constant(0.13F)), 0U);
+}
+
+TEST(MaskGrid, BallsAroundPointsOfTheLatticeAreExact) {
+  // Points on a lattice of two cells lie in the middle of cells: so do those that are asked for.
+  constexpr float kHalf = kCell / 2.0F;
+  Random random;
+  std::vector<MaskedPoint> balls = random.balls(64);
+  for (MaskedPoint& ball : balls) {
+    ball.point = (ball.point / kCell).array().round().matrix() * kCell;
+  }
+  const MaskGrid grid(balls, kDistance, kHalf);
+  for (int i = 0; i < 5000; ++i) {
+    const Eigen::Vector3f point = (random.point(0.25F) / kHalf).array().round().matrix() * kHalf;
+    // Half a cell's rounding of a distance that is equal to that of contact does not count.
+    const HypothesisMask expected =
+        nearAtSomePose(balls, {Eigen::Isometry3f::Identity()}, point, kDistance - 1e-5F);
+    EXPECT_EQ(grid.at(point), expected) << i;
+  }
+}
+
+TEST(MaskGrid, OfPlanarPointsIsFlat) {
+  const MaskGrid grid({{Eigen::Vector3f(0.1F, 0.2F, 0.0F), 5}}, kDistance, kCell);
+  EXPECT_EQ(grid.at(Eigen::Vector3f(0.1F, 0.23F, 0.0F)), 5U);
+  EXPECT_EQ(grid.at(Eigen::Vector3f(0.1F, 0.2F, 0.02F)), 0U);
+  EXPECT_EQ(grid.at(Eigen::Vector3f(0.1F, 0.26F, 0.0F)), 0U);
+}
+
+}  // namespace
+}  // namespace smore
