@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "smore/mapping/contact_merging.h"
+#include "smore/mapping/surface_sizes.h"
 
 namespace smore {
 namespace {
@@ -48,10 +49,10 @@ class MaskedVoxels {
     }
   }
 
-  void store() {
+  void store(const SampledWorlds& worlds) {
     for (std::size_t i = 0; i < masks_.size(); ++i) {
       const double share =
-          std::clamp(shareOf(masks_[i]), kLeastProbability, 1.0 - kLeastProbability);
+          std::clamp(worlds.shareOf(masks_[i]), kLeastProbability, 1.0 - kLeastProbability);
       grid_->setAt(i, static_cast<float>(share));
     }
   }
@@ -61,13 +62,14 @@ class MaskedVoxels {
   std::vector<HypothesisMask> masks_;
 };
 
-void voxelize(const std::vector<MaskedPoint>& points, const Pose& T_grid_map, double radius,
-              VoxelGrid* grid) {
+// One side of the worlds.
+void voxelize(const SampledWorlds& worlds, const std::vector<MaskedPoint>& points,
+              const Pose& T_grid_map, double radius, VoxelGrid* grid) {
   MaskedVoxels voxels(grid);
   for (const MaskedPoint& ball : points) {
     voxels.addBall(T_grid_map * ball.point.cast<double>(), radius, ball.mask);
   }
-  voxels.store();
+  voxels.store(worlds);
 }
 
 }  // namespace
@@ -177,6 +179,13 @@ void JointBelief::refresh() const {
   worlds_ =
       SampledWorlds({contacts_, evidence_, explanations_}, parameters_.feature, parameters_.extent,
                     parameters_.T_world_plane.has_value(), parameters_.seed);
+  // In a plane it tells risks apart less well (docs/planning.md).
+  if (!parameters_.T_world_plane) {
+    const ExtentParameters& extent = parameters_.extent;
+    worlds_.weigh(weightsBySize(contacts_, explanations_,
+                                surfaceSizes(extent.shortest, extent.world_longest),
+                                parameters_.distribution.world));
+  }
   for (const auto& [contact_id, T_map_object] : poses_without_line_) {
     if (!T_map_object) continue;
     worlds_.setTouching(T_map_object->cast<float>(), parameters_.feature.reach);
@@ -186,8 +195,8 @@ void JointBelief::refresh() const {
 
 void JointBelief::publish() const {
   const double radius = parameters_.feature.radius;
-  voxelize(worlds_.world(), T_map_world_.inverse(), radius, &world_);
-  voxelize(worlds_.object(), Pose::Identity(), radius, &object_);
+  voxelize(worlds_, worlds_.world(), T_map_world_.inverse(), radius, &world_);
+  voxelize(worlds_, worlds_.object(), Pose::Identity(), radius, &object_);
 }
 
 }  // namespace smore

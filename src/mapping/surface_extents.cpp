@@ -8,6 +8,7 @@
 #include "smore/common/parallel_for.h"
 #include "smore/mapping/counter_random.h"
 #include "smore/mapping/joined_touches.h"
+#include "smore/mapping/surface_sizes.h"
 
 namespace smore {
 namespace {
@@ -100,18 +101,14 @@ double SurfaceExtents::longestRadius(Side side) const {
   return planar_ ? extent_.object_longest : extent_.corner_longest;
 }
 
-double SurfaceExtents::patchRadius(Side side, int hypothesis) const {
-  const double place = (side == Side::kObject ? otherOrder(hypothesis) : hypothesis) + 0.5;
-  return extent_.shortest * std::pow(longestRadius(side) / extent_.shortest, place / kHypotheses);
-}
-
 std::vector<Eigen::Vector3f> SurfaceExtents::patches(Side side, int hypothesis,
                                                      const MatterAllowed& allowed) const {
   const bool on_object = side == Side::kObject;
   SurfacePatch patch;
   patch.step =
       static_cast<float>((planar_ ? kPlanarStep : kSpatialStep) * feature_.conflictDistance());
-  patch.radius = static_cast<float>(patchRadius(side, hypothesis));
+  patch.radius = static_cast<float>(surfaceSizes(
+      extent_.shortest, longestRadius(side))[on_object ? otherOrder(hypothesis) : hypothesis]);
   std::vector<Eigen::Vector3f> result;
   for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
     const ContactHypotheses& contact = samples_.contacts[k];

@@ -14,9 +14,7 @@ constexpr double kFinestCheck = 0.001;
 
 // Probability that one more world would touch: with Jeffreys' prior for a share, none in 64 worlds
 // is not yet never.
-double predictedShare(HypothesisMask touching) {
-  return (kHypotheses * shareOf(touching) + 0.5) / (kHypotheses + 1.0);
-}
+double predictedShare(double share) { return (kHypotheses * share + 0.5) / (kHypotheses + 1.0); }
 
 double entropyTerm(double probability) {
   return probability > 0.0 ? -probability * std::log(probability) : 0.0;
@@ -49,7 +47,7 @@ double ContactRisk::ofMotion(const Path& path) const {
   }
   const double known = std::max(1.0, static_cast<double>(free.cellCount()));
   const double no_surprise = known / (known + fresh);
-  return 1.0 - (1.0 - predictedShare(touchingAlong(path))) * no_surprise;
+  return 1.0 - (1.0 - predictedShare(along(path))) * no_surprise;
 }
 
 double ContactRisk::surpriseRate() const {
@@ -71,15 +69,15 @@ double ContactRisk::informationOf(const Path& path) const {
   for (const Pose& pose : densify(path, cell.position_cell, cell.angle_cell)) {
     const HypothesisMask first = touching(pose) & ~touched;
     touched |= first;
-    entropy += entropyTerm(no_surprise * shareOf(first));
+    entropy += entropyTerm(no_surprise * worlds_->shareOf(first));
     if (free.knows(belief_->toMap(pose))) continue;
     const double before = no_surprise;
     no_surprise *= no_surprise_in_cell;
-    surprise += shareOf(~touched) * (before - no_surprise);
+    surprise += worlds_->shareOf(~touched) * (before - no_surprise);
   }
   const double patches = std::max(1.0, patchesOfObject());
   entropy += entropyTerm(surprise) + surprise * std::log(patches);
-  return entropy + entropyTerm(no_surprise * shareOf(~touched));
+  return entropy + entropyTerm(no_surprise * worlds_->shareOf(~touched));
 }
 
 double ContactRisk::patchesOfObject() const {

@@ -69,7 +69,7 @@ void compareWithAllPairs(bool planar) {
       const HypothesisMask perhaps = bruteForce(risk.worlds(), pose, distance + rounding);
       EXPECT_EQ(certainly & ~mask, 0U);
       EXPECT_EQ(mask & ~perhaps, 0U);
-      EXPECT_DOUBLE_EQ(risk.atPose(pose), shareOf(mask));
+      EXPECT_DOUBLE_EQ(risk.atPose(pose), risk.worlds().shareOf(mask));
       touching += mask != 0 ? 1 : 0;
     }
   }
@@ -87,7 +87,7 @@ TEST(ContactRisk, AlongAPathIsTheUnionOverItsPosesNotTheirSum) {
   HypothesisMask mask = 0;
   for (const Pose& pose : densify(path, 0.001, 0.002)) mask |= risk.touching(pose);
   // The coarser check may miss a graze between two of its poses.
-  EXPECT_NEAR(risk.along(path), shareOf(mask), 0.05);
+  EXPECT_NEAR(risk.along(path), risk.worlds().shareOf(mask), 0.05);
   EXPECT_GT(risk.along(path), 0.0);
   EXPECT_GE(risk.along(path), risk.atPose(path.front()));
 }

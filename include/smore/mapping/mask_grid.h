@@ -13,11 +13,6 @@ namespace smore {
 using HypothesisMask = std::uint64_t;
 constexpr int kHypotheses = 64;
 
-/// Share of the hypotheses in a mask.
-inline double shareOf(HypothesisMask mask) {
-  return static_cast<double>(__builtin_popcountll(mask)) / kHypotheses;
-}
-
 /// A place and the hypotheses in which it holds matter.
 struct MaskedPoint {
   Eigen::Vector3f point = Eigen::Vector3f::Zero();

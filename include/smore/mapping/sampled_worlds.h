@@ -7,6 +7,7 @@
 
 #include "smore/mapping/contact_hypotheses.h"
 #include "smore/mapping/free_space_evidence.h"
+#include "smore/mapping/hypothesis_weights.h"
 #include "smore/mapping/joint_distribution.h"
 #include "smore/mapping/mask_grid.h"
 
@@ -47,6 +48,12 @@ class SampledWorlds {
   HypothesisMask touching(const Eigen::Isometry3f& T_map_object,
                           int enough = kHypotheses - 1) const;
 
+  /// Makes some worlds likelier than others; without, all are equally likely.
+  void weigh(const HypothesisWeights& weights) { weights_ = weights; }
+
+  /// Probability that the true world is among those in the mask.
+  double shareOf(HypothesisMask mask) const { return weights_.shareOf(mask); }
+
   /// Centres of the balls of matter, in the object's and the map's frame.
   const std::vector<MaskedPoint>& object() const { return object_; }
   const std::vector<MaskedPoint>& world() const { return world_; }
@@ -71,6 +78,7 @@ class SampledWorlds {
   HypothesisMask overlap(const Eigen::Isometry3f& pose, int enough) const;
 
   double contact_distance_ = 0.0;
+  HypothesisWeights weights_;
   std::vector<TouchingPose> touching_poses_;
   std::vector<MaskedPoint> object_;
   std::vector<MaskedPoint> world_;

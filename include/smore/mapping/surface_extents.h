@@ -35,7 +35,6 @@ class SurfaceExtents {
   std::vector<Eigen::Vector3f> patches(Side side, int hypothesis,
                                        const MatterAllowed& allowed) const;
   std::vector<Eigen::Vector3f> ties(int hypothesis, const MatterAllowed& allowed) const;
-  double patchRadius(Side side, int hypothesis) const;
   double longestRadius(Side side) const;
 
   const WorldSamples& samples_;

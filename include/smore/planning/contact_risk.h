@@ -19,8 +19,10 @@ class ContactRisk {
   /// Worlds in which it touches somewhere on the segments of `path`.
   HypothesisMask touchingAlong(const Path& path) const;
 
-  double atPose(const Pose& T_world_object) const { return shareOf(touching(T_world_object)); }
-  double along(const Path& path) const { return shareOf(touchingAlong(path)); }
+  double atPose(const Pose& T_world_object) const {
+    return worlds_->shareOf(touching(T_world_object));
+  }
+  double along(const Path& path) const { return worlds_->shareOf(touchingAlong(path)); }
 
   /// Probability that a motion along `path` ends at a contact: with what is known, or with matter
   /// that nothing has touched yet. How far it goes without the latter follows from how far the

@@ -34,7 +34,6 @@ class RiskPath {
 
   const std::vector<RiskState>& states() const { return states_; }
   double value() const { return value_; }  ///< J, smaller is better
-  double risk() const { return shareOf(total_.touching); }
 
   /// Tries `attempts` random changes in `space`, each from a fifth of `distance` [m] to four times
   /// as much: shortcuts, and moves of inner states, of one or of several in a row together, as a

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/mapping/hypothesis_weights.h"
+
+#include <numeric>
+
+namespace smore {
+namespace {
+
+std::array<double, kHypotheses> equalWeights() {
+  std::array<double, kHypotheses> weights{};
+  weights.fill(1.0);
+  return weights;
+}
+
+}  // namespace
+
+HypothesisWeights::HypothesisWeights() : HypothesisWeights(equalWeights()) {}
+
+HypothesisWeights::HypothesisWeights(const std::array<double, kHypotheses>& weights) {
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (int byte = 0; byte < kBytes; ++byte) {
+    for (unsigned value = 1; value < 256; ++value) {
+      const int lowest = __builtin_ctz(value);
+      shares_[byte][value] = shares_[byte][value & (value - 1)] + weights[8 * byte + lowest] / sum;
+    }
+  }
+}
+
+}  // namespace smore

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/mapping/surface_sizes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace smore {
+namespace {
+
+using Sizes = std::array<double, kHypotheses>;
+
+// For each size, how flat surfaces would be that join the touch to the others within that size.
+Sizes flatnessWithin(const SurfaceTouch& touch, const std::vector<SurfaceTouch>& touches,
+                     const Sizes& sizes, double scale) {
+  Sizes flatness{};
+  for (const SurfaceTouch& other : touches) {
+    if (&other == &touch) continue;
+    const Eigen::Vector3f between = touch.place - other.place;
+    const auto first = std::upper_bound(sizes.begin(), sizes.end(), between.norm()) - sizes.begin();
+    if (first == kHypotheses) continue;
+    const double height = touch.normal.dot(between) / scale;
+    const double other_height = other.normal.dot(between) / scale;
+    const double bend = 1.0 + 0.5 * (height * height + other_height * other_height);
+    flatness[first] += 1.0 / (bend * bend);
+  }
+  for (int i = 1; i < kHypotheses; ++i) flatness[i] += flatness[i - 1];
+  return flatness;
+}
+
+void normalise(Sizes* log_likelihood) {
+  const double largest = *std::max_element(log_likelihood->begin(), log_likelihood->end());
+  double sum = 0.0;
+  for (double& value : *log_likelihood) sum += value = std::exp(value - largest);
+  for (double& value : *log_likelihood) value /= sum;
+}
+
+std::vector<SurfaceTouch> touchesInWorld(const std::vector<ContactHypotheses>& contacts,
+                                         const Explanation& explanation) {
+  std::vector<SurfaceTouch> touches;
+  touches.reserve(contacts.size());
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const int place = explanation[k];
+    if (place == kFalseContact) continue;
+    touches.push_back({contacts[k].world.at(place), contacts[k].world_normal.at(place)});
+  }
+  return touches;
+}
+
+}  // namespace
+
+std::array<double, kHypotheses> surfaceSizes(double shortest, double longest) {
+  Sizes sizes{};
+  for (int i = 0; i < kHypotheses; ++i) {
+    sizes[i] = shortest * std::pow(longest / shortest, (i + 0.5) / kHypotheses);
+  }
+  return sizes;
+}
+
+std::array<double, kHypotheses> sizeProbabilities(const std::vector<SurfaceTouch>& touches,
+                                                  const std::array<double, kHypotheses>& sizes,
+                                                  const AttractionParameters& attraction) {
+  // Of discs of all sizes together, each as dense as its area is small, the mean is (h / d)^2.
+  const double discs = 2.0 * std::log(sizes.back() / sizes.front());
+  Sizes log_likelihood{};
+  for (const SurfaceTouch& touch : touches) {
+    const Sizes flatness = flatnessWithin(touch, touches, sizes, attraction.scale);
+    for (int i = 0; i < kHypotheses; ++i) {
+      const double density = discs * std::pow(attraction.scale / sizes[i], 2);
+      log_likelihood[i] += std::log1p(density * flatness[i] / attraction.base);
+    }
+  }
+  normalise(&log_likelihood);
+  return log_likelihood;
+}
+
+HypothesisWeights weightsBySize(const std::vector<ContactHypotheses>& contacts,
+                                const std::vector<Explanation>& explanations,
+                                const std::array<double, kHypotheses>& sizes,
+                                const AttractionParameters& attraction) {
+  Sizes weights{};
+  for (int m = 0; m < kHypotheses; ++m) {
+    weights[m] = sizeProbabilities(touchesInWorld(contacts, explanations[m]), sizes, attraction)[m];
+  }
+  return HypothesisWeights(weights);
+}
+
+}  // namespace smore
