@@ -86,6 +86,7 @@ void GibbsSweep::attract(int contact, SideOf side_of, const PointArray& places,
     factors = 0;
   }
   for (Attraction& attraction : attractions_) {
+    keepMantissas(&attraction);
     for (int i = 0; i < count; ++i) attraction.factor[i] *= 1.0F + attraction.sum[i] / base;
     keepMantissas(&attraction);
   }

@@ -9,7 +9,7 @@ namespace {
 constexpr Range kLength{1e-4, 10.0};    // [m]
 constexpr Range kExtent{0.0, 10.0};     // [m]; 0: none
 constexpr Range kAngle{1e-4, 3.0};      // [rad]
-constexpr Range kWeight{0.01, 1e3};     // the sampler's arithmetic needs no less (gibbs_chain.cpp)
+constexpr Range kWeight{0.01, 1e3};     // odds
 constexpr Range kStrength{0.0, 100.0};  // 0: off
 constexpr Range kShare{1e-6, 0.999};
 constexpr Range kSteps{1, 1000};
@@ -58,6 +58,7 @@ ParameterSection plannerSection(RiskPlannerParameters* planner) {
            {"step", &planner->step, kLength},
            {"lever", &planner->lever, kLength},
            {"touch_cost", &planner->objective.touch_cost, kStrength},
+           {"touch_cost_in_space", &planner->touch_cost_in_space, kStrength},
            {"give", &planner->objective.give, kLength}}};
 }
 

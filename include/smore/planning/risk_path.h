@@ -18,7 +18,7 @@ namespace smore {
 /// known only to some accuracy, so that a graze may well pass, and where every world objects, the
 /// path with the least to go through is still told from a hopeless one.
 struct RiskObjective {
-  double touch_cost = 3.0;  ///< what one nat of not arriving is worth in motion [m]
+  double touch_cost = 20.0;  ///< what one nat of not arriving is worth in motion [m]
   double give = 0.02;       ///< accuracy of what is known of matter's place [m]
 };
 

@@ -27,7 +27,8 @@ struct RiskPlannerParameters {
   double time_limit = 60.0;
   double step = 0.12;  ///< longest edge of the trees, in the metric of the search [m]
   double lever = 0.3;  ///< what a radian counts in that metric: half of a held thing's reach [m]
-  RiskObjective objective;
+  RiskObjective objective;           ///< in the plane; also in space, but for its touch cost
+  double touch_cost_in_space = 3.0;  ///< [m]
 };
 
 /// Least risk first, then length: bidirectional trees in the states whose risk stays below a limit,
