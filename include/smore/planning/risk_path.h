@@ -19,7 +19,7 @@ namespace smore {
 /// path with the least to go through is still told from a hopeless one.
 struct RiskObjective {
   double touch_cost = 20.0;  ///< what one nat of not arriving is worth in motion [m]
-  double give = 0.02;       ///< accuracy of what is known of matter's place [m]
+  double give = 0.02;        ///< accuracy of what is known of matter's place [m]
 };
 
 /// J of a path, or the least that J can be for a path that has this as a part.
