@@ -70,21 +70,21 @@ void FreeSpaceEvidence::addContact(const ContactHypotheses& contact) {
   // Its places on the object with all in the world; its places in the world with those on the
   // object of all contacts before. The two write into different tables.
   const int end = first + contact.count;
-  parallelFor(2, [&](std::size_t role) {
-    for (const Eigen::Isometry3f& T : poses_) {
-      if (role == 0) {
-        for (int i = first; i < end; ++i) {
-          world_index_.forNear(T * object_places_[i], [&](int j) { mark(i, j); });
-        }
-        continue;
-      }
-      const Eigen::Isometry3f T_object_map = T.inverse();
-      for (int j = first; j < end; ++j) {
-        object_index_.forNear(T_object_map * world_places_[j], [&](int i) {
-          if (i < first) mark(i, j);
-        });
-      }
+  const auto mark_on_object = [&](const Eigen::Isometry3f& T) {
+    for (int i = first; i < end; ++i) {
+      world_index_.forNear(T * object_places_[i], [&](int j) { mark(i, j); });
     }
+  };
+  const auto mark_in_world = [&](const Eigen::Isometry3f& T) {
+    const Eigen::Isometry3f T_object_map = T.inverse();
+    for (int j = first; j < end; ++j) {
+      object_index_.forNear(T_object_map * world_places_[j], [&](int i) {
+        if (i < first) mark(i, j);
+      });
+    }
+  };
+  parallelFor(2, [&](std::size_t role) {
+    for (const Eigen::Isometry3f& T : poses_) role == 0 ? mark_on_object(T) : mark_in_world(T);
   });
 }
 

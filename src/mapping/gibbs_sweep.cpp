@@ -63,8 +63,10 @@ void GibbsSweep::visit(int contact) {
     attractions_[c].factor.fill(1.0F);
     attractions_[c].exponent.fill(0);
   }
-  attract(contact, &GibbsChain::object, touched.object, touched.object_normal);
-  attract(contact, &GibbsChain::world, touched.world, touched.world_normal);
+  if (exponent_ > 0.0F) {
+    attract(contact, &GibbsChain::object, touched.object, touched.object_normal);
+    attract(contact, &GibbsChain::world, touched.world, touched.world_normal);
+  }
   for (std::size_t c = 0; c < chains_.size(); ++c) {
     chains_[c].chain->add(contact, draw(contact, chains_[c], attractions_[c]));
   }

@@ -88,14 +88,15 @@ void MaskedPoints::add(const Eigen::Vector3f& point, HypothesisMask mask) {
 }
 
 MaskGrid::MaskGrid(const Eigen::AlignedBox3f& box, float cell) : cell_(cell) {
+  if (box.isEmpty()) return;
   const Eigen::Vector3f span = box.sizes();
-  const auto sizes = [&] {
+  const auto count_cells = [&] {
     width_ = cellsOver(span.x(), cell_);
     depth_ = cellsOver(span.y(), cell_);
     height_ = cellsOver(span.z(), cell_);
     return static_cast<double>(width_) * depth_ * height_;
   };
-  while (sizes() > kMostCells) cell_ *= 2.0F;
+  while (count_cells() > kMostCells) cell_ *= 2.0F;
   // Half a cell lower on each axis: points on the edge fall inside, and z = 0 into the middle.
   min_ = box.min() - Eigen::Vector3f::Constant(0.5F * cell_);
   inverse_cell_ = 1.0F / cell_;

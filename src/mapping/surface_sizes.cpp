@@ -9,19 +9,19 @@ namespace {
 
 using Sizes = std::array<double, kHypotheses>;
 
-// For each size, how flat surfaces would be that join the touch to the others within that size.
+// For each size, how flat surfaces would be that join the touch to the others within that size: the
+// kernel without what it falls by along a surface.
 Sizes flatnessWithin(const SurfaceTouch& touch, const std::vector<SurfaceTouch>& touches,
-                     const Sizes& sizes, double scale) {
+                     const Sizes& sizes, const AttractionKernel& kernel) {
   Sizes flatness{};
   for (const SurfaceTouch& other : touches) {
     if (&other == &touch) continue;
     const Eigen::Vector3f between = touch.place - other.place;
     const auto first = std::upper_bound(sizes.begin(), sizes.end(), between.norm()) - sizes.begin();
     if (first == kHypotheses) continue;
-    const double height = touch.normal.dot(between) / scale;
-    const double other_height = other.normal.dot(between) / scale;
-    const double bend = 1.0 + 0.5 * (height * height + other_height * other_height);
-    flatness[first] += 1.0 / (bend * bend);
+    const float height = touch.normal.dot(between);
+    const float other_height = other.normal.dot(between);
+    flatness[first] += kernel.of(0.0F, height * height + other_height * other_height);
   }
   for (int i = 1; i < kHypotheses; ++i) flatness[i] += flatness[i - 1];
   return flatness;
@@ -59,11 +59,12 @@ std::array<double, kHypotheses> surfaceSizes(double shortest, double longest) {
 std::array<double, kHypotheses> sizeProbabilities(const std::vector<SurfaceTouch>& touches,
                                                   const std::array<double, kHypotheses>& sizes,
                                                   const AttractionParameters& attraction) {
+  const AttractionKernel kernel(attraction);
   // Of discs of all sizes together, each as dense as its area is small, the mean is (h / d)^2.
   const double discs = 2.0 * std::log(sizes.back() / sizes.front());
   Sizes log_likelihood{};
   for (const SurfaceTouch& touch : touches) {
-    const Sizes flatness = flatnessWithin(touch, touches, sizes, attraction.scale);
+    const Sizes flatness = flatnessWithin(touch, touches, sizes, kernel);
     for (int i = 0; i < kHypotheses; ++i) {
       const double density = discs * std::pow(attraction.scale / sizes[i], 2);
       log_likelihood[i] += std::log1p(density * flatness[i] / attraction.base);

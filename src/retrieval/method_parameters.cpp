@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/retrieval/method_parameters.h"
 
+#include <algorithm>
+
 #include "smore/common/result.h"
 
 namespace smore {
@@ -72,6 +74,19 @@ void read(const ParameterField& field, ParameterReader* reader) {
   }
 }
 
+// What no parameter's own range says.
+void checkTogether(const JointBeliefParameters& belief, ParameterReader* reader) {
+  if (belief.feature.conflictDistance() <= 0.0) {
+    reader->error("belief.tolerance", "must be below twice belief.radius");
+  }
+  const ExtentParameters& extent = belief.extent;
+  if (extent.shortest >
+      std::min({extent.object_longest, extent.corner_longest, extent.world_longest})) {
+    reader->error("belief.shortest_patch",
+                  "must not be above belief.object_patch, corner_patch and world_patch");
+  }
+}
+
 }  // namespace
 
 std::vector<ParameterSection> parameterSections(MethodParameters* parameters) {
@@ -87,11 +102,8 @@ MethodParameters loadMethodParameters(const std::string& file) {
     for (const ParameterField& field : section.fields) read(field, &nested);
     nested.finishNested();
   }
+  checkTogether(parameters.belief, &reader);
   reader.finish();
-  const FeatureParameters& feature = parameters.belief.feature;
-  if (feature.conflictDistance() <= 0.0) {
-    throw InputError(file + ": belief.tolerance: must be below twice belief.radius");
-  }
   return parameters;
 }
 

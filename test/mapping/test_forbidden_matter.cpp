@@ -96,6 +96,12 @@ TEST(MaskGrid, BallsAroundPointsOfTheLatticeAreExact) {
   }
 }
 
+TEST(ForbiddenMatter, WithoutTouchesNothingIsForbidden) {
+  const ForbiddenMatter forbidden({}, {Eigen::Isometry3f::Identity()}, boxAround({}, 0.6F),
+                                  kDistance, kCell);
+  EXPECT_EQ(forbidden.at(Eigen::Vector3f::Zero()), 0U);
+}
+
 TEST(MaskGrid, OfPlanarPointsIsFlat) {
   const MaskGrid grid({{Eigen::Vector3f(0.1F, 0.2F, 0.0F), 5}}, kDistance, kCell);
   EXPECT_EQ(grid.at(Eigen::Vector3f(0.1F, 0.23F, 0.0F)), 5U);

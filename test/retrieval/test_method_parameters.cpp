@@ -56,6 +56,12 @@ TEST_F(MethodParametersFile, RefusesBallsThatNeverContradictEachOther) {
             std::string::npos);
 }
 
+TEST_F(MethodParametersFile, RefusesALargestPatchBelowTheSmallest) {
+  EXPECT_NE(errorsOf("belief: {world_patch: 0.01}").find("belief.shortest_patch"),
+            std::string::npos);
+  EXPECT_EQ(load("belief: {world_patch: 0.02}").belief.extent.world_longest, 0.02);
+}
+
 TEST_F(MethodParametersFile, DefaultsLieInTheirRanges) {
   MethodParameters parameters;
   for (const ParameterSection& section : parameterSections(&parameters)) {

@@ -37,8 +37,8 @@ class MaskedPoints {
   std::unordered_map<std::uint64_t, std::size_t> index_;
 };
 
-/// A box that holds the points with `margin` [m] to spare; planar points (all z equal to 0) get a
-/// flat one.
+/// A box that holds the points with `margin` [m] to spare, empty without points; planar points (all
+/// z equal to 0) get a flat one.
 Eigen::AlignedBox3f boxAround(const std::vector<MaskedPoint>& points, float margin);
 
 /// A dense grid of masks over a box: in which hypotheses a point is near matter. 0 outside.
@@ -47,7 +47,8 @@ class MaskGrid {
   MaskGrid() = default;
 
   /// No matter yet, over `box`. `cell` is doubled where the box would have more cells than memory
-  /// and time allow, and again; a box that is flat at z = 0 makes a flat grid.
+  /// and time allow, and again; a box that is flat at z = 0 makes a flat grid, an empty box one
+  /// without cells.
   MaskGrid(const Eigen::AlignedBox3f& box, float cell);
 
   /// The union of balls of `radius` around the cells that hold the points.

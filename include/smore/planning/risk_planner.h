@@ -28,7 +28,7 @@ struct RiskPlannerParameters {
   double step = 0.12;  ///< longest edge of the trees, in the metric of the search [m]
   double lever = 0.3;  ///< what a radian counts in that metric: half of a held thing's reach [m]
   RiskObjective objective;           ///< in the plane; also in space, but for its touch cost
-  double touch_cost_in_space = 3.0;  ///< [m]
+  double touch_cost_in_space = 3.0;  ///< the objective's touch cost there [m]
 };
 
 /// Least risk first, then length: bidirectional trees in the states whose risk stays below a limit,
