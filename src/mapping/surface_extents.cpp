@@ -135,8 +135,7 @@ std::vector<Eigen::Vector3f> SurfaceExtents::ties(int hypothesis,
   std::vector<Eigen::Vector3f> places;
   places.reserve(by_id.size());
   for (const auto& entry : by_id) places.push_back(entry.second);
-  CounterRandom random(mixBits(~seed_, hypothesis));
-  return joinTouches(places, static_cast<float>(feature_.conflictDistance()), allowed, &random);
+  return joinTouches(places, static_cast<float>(feature_.conflictDistance()), allowed);
 }
 
 }  // namespace smore

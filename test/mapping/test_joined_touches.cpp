@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "smore/mapping/counter_random.h"
 #include "smore/mapping/joined_touches.h"
 
 namespace smore {
@@ -29,39 +31,50 @@ bool inOnePiece(const Points& places, Points points) {
 }
 
 TEST(JoinedTouches, MakesOnePieceOfAllPlaces) {
-  const Points places = {
-      {0.0F, 0.0F, 0.0F}, {0.3F, 0.0F, 0.0F}, {0.3F, 0.2F, 0.1F}, {-0.2F, -0.1F, 0.2F}};
   for (int seed = 1; seed <= 20; ++seed) {
     CounterRandom random(seed);
-    EXPECT_TRUE(inOnePiece(places, joinTouches(places, kDistance, everywhere, &random))) << seed;
+    Points places(12);
+    for (Eigen::Vector3f& place : places) {
+      for (float& coordinate : place) coordinate = static_cast<float>(random.uniform());
+    }
+    EXPECT_TRUE(inOnePiece(places, joinTouches(places, kDistance, everywhere))) << seed;
   }
 }
 
-TEST(JoinedTouches, GoesAroundWhatIsNotAllowed) {
-  const Points places = {{-0.15F, 0.0F, 0.0F}, {0.15F, 0.0F, 0.0F}};
-  const auto allowed = [](const Eigen::Vector3f& point) { return point.norm() > 0.03F; };
-  int joined = 0;
-  for (int seed = 1; seed <= 50; ++seed) {
-    CounterRandom random(seed);
-    const Points points = joinTouches(places, kDistance, allowed, &random);
-    for (const Eigen::Vector3f& point : points) EXPECT_TRUE(allowed(point));
-    joined += points.empty() ? 0 : 1;
+TEST(JoinedTouches, DoesNotJoinPlacesWithAThirdBetweenThem) {
+  const Points places = {{-0.2F, 0.0F, 0.0F}, {0.2F, 0.0F, 0.0F}, {0.0F, 0.15F, 0.0F}};
+  const Points points = joinTouches(places, kDistance, everywhere);
+  EXPECT_TRUE(inOnePiece(places, points));
+  for (const Eigen::Vector3f& point : points) {
+    const float height = 0.15F - 0.75F * std::abs(point.x());
+    EXPECT_NEAR(point.y(), height, 1e-5F) << "beside the two short sides of the triangle";
   }
-  EXPECT_GT(joined, 45) << "a small obstacle has ways around it";
 }
 
-TEST(JoinedTouches, LeavesOutATieThatNothingAllows) {
+TEST(JoinedTouches, JoinsPlacesWithAThirdBesideThem) {
+  const Points places = {{-0.2F, 0.0F, 0.0F}, {0.2F, 0.0F, 0.0F}, {0.0F, 0.25F, 0.0F}};
+  const Points points = joinTouches(places, kDistance, everywhere);
+  EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const Eigen::Vector3f& point) {
+    return std::abs(point.y()) < 1e-5F;
+  }));
+}
+
+TEST(JoinedTouches, LeavesOutAWayThatIsNotAllowed) {
   const Points places = {{-0.15F, 0.0F, 0.0F}, {0.15F, 0.0F, 0.0F}};
-  const auto allowed = [](const Eigen::Vector3f& point) { return std::abs(point.x()) > 0.05F; };
-  CounterRandom random(1);
-  EXPECT_TRUE(joinTouches(places, kDistance, allowed, &random).empty());
+  const auto allowed = [](const Eigen::Vector3f& point) { return std::abs(point.x()) > 0.02F; };
+  EXPECT_TRUE(joinTouches(places, kDistance, allowed).empty());
+}
+
+TEST(JoinedTouches, AsksNothingNearPlaces) {
+  const Points places = {{-0.15F, 0.0F, 0.0F}, {0.15F, 0.0F, 0.0F}};
+  const auto allowed = [](const Eigen::Vector3f& point) { return std::abs(point.x()) < 0.12F; };
+  EXPECT_TRUE(inOnePiece(places, joinTouches(places, kDistance, allowed)));
 }
 
 TEST(JoinedTouches, PlacesThatAreNearCountOnce) {
-  CounterRandom random(1);
   const Points places = {{0.0F, 0.0F, 0.0F}, {0.01F, 0.0F, 0.0F}, {0.0F, 0.03F, 0.0F}};
-  EXPECT_TRUE(joinTouches(places, kDistance, everywhere, &random).empty());
-  EXPECT_TRUE(joinTouches({}, kDistance, everywhere, &random).empty());
+  EXPECT_TRUE(joinTouches(places, kDistance, everywhere).empty());
+  EXPECT_TRUE(joinTouches({}, kDistance, everywhere).empty());
 }
 
 }  // namespace
