@@ -62,10 +62,7 @@ void SurfaceExtents::grow(Side side) {
   parallelFor(kHypotheses, [&](std::size_t i) {
     const int m = static_cast<int>(i);
     const MatterAllowed allowed = allowedFor(side, m, forbidden);
-    grown[m] = patches(side, m, allowed);
-    if (side == Side::kWorld || planar_) return;
-    const std::vector<Eigen::Vector3f> tied = ties(m, allowed);
-    grown[m].insert(grown[m].end(), tied.begin(), tied.end());
+    grown[m] = joinsTouches(side) ? joined(m, allowed) : patches(side, m, allowed);
   });
   MaskedPoints& matter = side == Side::kObject ? object_ : world_;
   for (int m = 0; m < kHypotheses; ++m) {
@@ -79,11 +76,11 @@ ForbiddenMatter SurfaceExtents::forbiddenFor(Side side) const {
   if (on_object) {
     for (Eigen::Isometry3f& T : poses) T = T.inverse();
   }
-  const auto longest = static_cast<float>(longestRadius(side));
+  // What joins touches lies between them.
+  const auto margin = joinsTouches(side) ? 0.0F : static_cast<float>(longestRadius(side));
   const MaskedPoints& matter = on_object ? object_ : world_;
-  return {on_object ? world_.points() : object_.points(), poses,
-          boxAround(matter.points(), longest), static_cast<float>(feature_.conflictDistance()),
-          latticeCell(feature_)};
+  return {on_object ? world_.points() : object_.points(), poses, boxAround(matter.points(), margin),
+          static_cast<float>(feature_.conflictDistance()), latticeCell(feature_)};
 }
 
 MatterAllowed SurfaceExtents::allowedFor(Side side, int hypothesis,
@@ -96,9 +93,10 @@ MatterAllowed SurfaceExtents::allowedFor(Side side, int hypothesis,
   };
 }
 
+bool SurfaceExtents::joinsTouches(Side side) const { return side == Side::kObject && !planar_; }
+
 double SurfaceExtents::longestRadius(Side side) const {
-  if (side == Side::kWorld) return extent_.world_longest;
-  return planar_ ? extent_.object_longest : extent_.corner_longest;
+  return side == Side::kObject ? extent_.object_longest : extent_.world_longest;
 }
 
 std::vector<Eigen::Vector3f> SurfaceExtents::patches(Side side, int hypothesis,
@@ -123,8 +121,8 @@ std::vector<Eigen::Vector3f> SurfaceExtents::patches(Side side, int hypothesis,
   return result;
 }
 
-std::vector<Eigen::Vector3f> SurfaceExtents::ties(int hypothesis,
-                                                  const MatterAllowed& allowed) const {
+std::vector<Eigen::Vector3f> SurfaceExtents::joined(int hypothesis,
+                                                    const MatterAllowed& allowed) const {
   // By their ids, so that the order of the observations does not matter.
   std::map<std::uint64_t, Eigen::Vector3f> by_id;
   for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {

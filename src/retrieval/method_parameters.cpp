@@ -44,7 +44,6 @@ ParameterSection beliefSection(JointBeliefParameters* belief) {
            {"most_contacts", &belief->most_contacts, kContacts},
            {"shortest_patch", &belief->extent.shortest, kLength},
            {"object_patch", &belief->extent.object_longest, kLength},
-           {"corner_patch", &belief->extent.corner_longest, kLength},
            {"world_patch", &belief->extent.world_longest, kLength}}};
 }
 
@@ -80,10 +79,9 @@ void checkTogether(const JointBeliefParameters& belief, ParameterReader* reader)
     reader->error("belief.tolerance", "must be below twice belief.radius");
   }
   const ExtentParameters& extent = belief.extent;
-  if (extent.shortest >
-      std::min({extent.object_longest, extent.corner_longest, extent.world_longest})) {
+  if (extent.shortest > std::min(extent.object_longest, extent.world_longest)) {
     reader->error("belief.shortest_patch",
-                  "must not be above belief.object_patch, corner_patch and world_patch");
+                  "must not be above belief.object_patch and belief.world_patch");
   }
 }
 

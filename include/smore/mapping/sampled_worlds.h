@@ -16,10 +16,9 @@ namespace smore {
 /// How far touched surfaces go on: each world has one radius of all patches around its touches and
 /// one of those around the object's, log-uniform from the shortest to the longest.
 struct ExtentParameters {
-  double shortest = 0.02;        ///< [m]; as large as a patch that is just told from a point
-  double object_longest = 0.6;   ///< on the object in planar motion [m]: what a gripper holds
-  double corner_longest = 0.06;  ///< on the object in space, where corners touch [m]
-  double world_longest = 0.6;    ///< in the world [m]
+  double shortest = 0.02;       ///< [m]; as large as a patch that is just told from a point
+  double object_longest = 0.6;  ///< on the object in planar motion [m]: what a gripper holds
+  double world_longest = 0.6;   ///< in the world [m]
 };
 
 /// The surroundings of a joint sample: all that SampledWorlds is made from. Views.

@@ -12,11 +12,11 @@ namespace smore {
 /// Continues the touched surfaces of all sampled explanations until free space ends them: first the
 /// object's against the touched places of the world, then the world's against the object so found.
 ///
-/// How far surfaces go on is one unknown size of each explanation's world and one of its object,
-/// spread evenly over all orders of magnitude: a touch near a gap then closes it in those worlds
-/// alone whose surfaces are as large, however many touches there are. In space a touch is mostly
-/// one of a corner, whose tangent plane is hardly in the object; there its touches are joined to
-/// one piece as well.
+/// How far surfaces go on is one unknown size of each explanation's world and, in planar motion,
+/// one of its object, spread evenly over all orders of magnitude: a touch near a gap then closes it
+/// in those worlds alone whose surfaces are as large, however many touches there are. In space the
+/// object is mostly touched at corners, where its tangent planes are hardly in it; there its
+/// touches are joined to one piece instead.
 class SurfaceExtents {
  public:
   SurfaceExtents(const WorldSamples& samples, const FeatureParameters& feature,
@@ -34,7 +34,8 @@ class SurfaceExtents {
   MatterAllowed allowedFor(Side side, int hypothesis, const ForbiddenMatter& forbidden) const;
   std::vector<Eigen::Vector3f> patches(Side side, int hypothesis,
                                        const MatterAllowed& allowed) const;
-  std::vector<Eigen::Vector3f> ties(int hypothesis, const MatterAllowed& allowed) const;
+  std::vector<Eigen::Vector3f> joined(int hypothesis, const MatterAllowed& allowed) const;
+  bool joinsTouches(Side side) const;
   double longestRadius(Side side) const;
 
   const WorldSamples& samples_;
