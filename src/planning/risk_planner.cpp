@@ -57,9 +57,7 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
     : belief_(&belief),
       parameters_(parameters),
       space_(space, belief.toMap(Pose::Identity()), parameters.lever),
-      seed_(seed) {
-  if (!space_.planar()) parameters_.objective.touch_cost = parameters.touch_cost_in_space;
-}
+      seed_(seed) {}
 
 Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   const std::uint64_t seed = mixBits(seed_, calls_++);

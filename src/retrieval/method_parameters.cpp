@@ -59,7 +59,6 @@ ParameterSection plannerSection(RiskPlannerParameters* planner) {
            {"step", &planner->step, kLength},
            {"lever", &planner->lever, kLength},
            {"touch_cost", &planner->objective.touch_cost, kStrength},
-           {"touch_cost_in_space", &planner->touch_cost_in_space, kStrength},
            {"give", &planner->objective.give, kLength}}};
 }
 
