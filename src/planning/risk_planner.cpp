@@ -57,7 +57,9 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
     : belief_(&belief),
       parameters_(parameters),
       space_(space, belief.toMap(Pose::Identity()), parameters.lever),
-      seed_(seed) {}
+      seed_(seed) {
+  if (!space_.planar()) parameters_.improvements = parameters.improvements_in_space;
+}
 
 Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   const std::uint64_t seed = mixBits(seed_, calls_++);

@@ -52,6 +52,7 @@ ParameterSection plannerSection(RiskPlannerParameters* planner) {
           {{"iterations", &planner->iterations, kCount},
            {"paths", &planner->paths, kCount},
            {"improvements", &planner->improvements, kTries},
+           {"improvements_in_space", &planner->improvements_in_space, kTries},
            {"postures", &planner->postures, kTries},
            {"kept_postures", &planner->kept_postures, kCount},
            {"alternatives", &planner->alternatives, kTries},
