@@ -76,11 +76,12 @@ ForbiddenMatter SurfaceExtents::forbiddenFor(Side side) const {
   if (on_object) {
     for (Eigen::Isometry3f& T : poses) T = T.inverse();
   }
-  // What joins touches lies between them.
-  const auto margin = joinsTouches(side) ? 0.0F : static_cast<float>(longestRadius(side));
+  const auto distance = static_cast<float>(feature_.conflictDistance());
+  // What joins touches lies between them; what forbids it may lie as far beside as balls touch.
+  const float margin = joinsTouches(side) ? distance : static_cast<float>(longestRadius(side));
   const MaskedPoints& matter = on_object ? object_ : world_;
   return {on_object ? world_.points() : object_.points(), poses, boxAround(matter.points(), margin),
-          static_cast<float>(feature_.conflictDistance()), latticeCell(feature_)};
+          distance, latticeCell(feature_)};
 }
 
 MatterAllowed SurfaceExtents::allowedFor(Side side, int hypothesis,

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "contact_at.h"
 #include "smore/mapping/contact_merging.h"
 #include "smore/mapping/free_space_evidence.h"
 
 namespace smore {
 namespace {
-
-// A contact with one place on the object and one in the world.
-ContactHypotheses contactAt(const Vec3& object, const Vec3& world, std::uint64_t id) {
-  ContactHypotheses contact;
-  contact.count = 1;
-  contact.object.set(0, object);
-  contact.world.set(0, world);
-  contact.id = id;
-  return contact;
-}
 
 const std::vector<ContactHypotheses> kContacts = {
     contactAt({0, 0, 0}, {0, 0, 0}, 1), contactAt({1, 0, 0}, {1, 0, 0}, 2),

@@ -15,7 +15,9 @@ class ForbiddenMatter {
  public:
   /// `other`: centres of the other side's balls. `poses`: the free poses as transforms from the
   /// other side's frame to that of the side that is asked for; `region` is in the latter. Balls
-  /// whose centres are nearer than `distance` [m] overlap, to the accuracy of `cell` [m].
+  /// whose centres are nearer than `distance` [m] overlap, to the accuracy of `cell` [m]. Balls of
+  /// the other side that are never centred in the region count for nothing: it must reach as far
+  /// beyond all points that are asked for.
   ForbiddenMatter(const std::vector<MaskedPoint>& other,
                   const std::vector<Eigen::Isometry3f>& poses, const Eigen::AlignedBox3f& region,
                   float distance, float cell);

@@ -33,9 +33,8 @@ struct JointBeliefParameters {
 };
 
 /// A belief that keeps all its evidence: where on each line each contact was, inferred jointly over
-/// all contacts and all free poses, as 64 worlds: equally likely ones
-/// in planar motion, in space weighed by the sizes of their surfaces. Both maps are their
-/// marginals.
+/// all contacts and all free poses, as 64 worlds: equally likely ones in planar motion, in space
+/// weighed by the sizes of their surfaces. Both maps are their marginals.
 ///
 /// The same set of observations gives the same belief in any order and at any rate of free samples
 /// that is fine against the cells of FreeSpaceParameters, as long as no contacts are merged. Free
