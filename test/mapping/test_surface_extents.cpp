@@ -16,8 +16,8 @@ bool joinsPastAnObstacleAt(const Vec3& obstacle) {
   const FeatureParameters feature;
   FreeSpaceEvidence evidence({}, feature.conflictDistance());
   evidence.addPose(Pose::Identity());
-  const Vec3 left(-0.15, 0.0, 0.01);
-  const Vec3 right(0.15, 0.0, 0.01);
+  const Vec3 left(-0.15, 0.0, 0.03);
+  const Vec3 right(0.15, 0.0, 0.03);
   const Vec3 far(2.0, 2.0, 2.0);
   const std::vector<ContactHypotheses> contacts = {
       contactAt(left, far, 1), contactAt(right, far, 2), contactAt(left, obstacle, 3)};
@@ -29,10 +29,10 @@ bool joinsPastAnObstacleAt(const Vec3& obstacle) {
 
 TEST(SurfaceExtents, JoinTouchesInSpaceUnlessFreeSpaceSpeaksAgainstIt) {
   const double distance = FeatureParameters().conflictDistance();
-  EXPECT_FALSE(joinsPastAnObstacleAt({0.0, 0.0, 0.0}));
-  EXPECT_FALSE(joinsPastAnObstacleAt({0.0, 0.5 * distance, 0.0})) << "beside all touches";
-  EXPECT_FALSE(joinsPastAnObstacleAt({0.0, 0.0, -0.5 * distance})) << "below all touches";
-  EXPECT_TRUE(joinsPastAnObstacleAt({0.0, 2.0 * distance, 0.0}));
+  EXPECT_FALSE(joinsPastAnObstacleAt({0.0, 0.0, 0.03}));
+  EXPECT_FALSE(joinsPastAnObstacleAt({0.0, 0.5 * distance, 0.03})) << "beside all touches";
+  EXPECT_FALSE(joinsPastAnObstacleAt({0.0, 0.0, 0.03 - 0.5 * distance})) << "below all touches";
+  EXPECT_TRUE(joinsPastAnObstacleAt({0.0, 2.0 * distance, 0.03}));
 }
 
 }  // namespace
