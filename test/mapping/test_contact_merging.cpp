@@ -38,14 +38,14 @@ TEST(FreeSpaceEvidence, ARemovedContactLeavesNoTrace) {
     removed.addContact(kContacts[k]);
     if (k != 1) never.addContact(kContacts[k]);
   }
-  const auto addPoses = [](FreeSpaceEvidence* evidence) {
+  const auto add_poses = [](FreeSpaceEvidence* evidence) {
     for (const double x : {0.0, 1.0, 2.0}) evidence->addPose(makePose({x, 0, 0}));
   };
   removed.addPose(makePose({0.5, 0, 0}));
   never.addPose(makePose({0.5, 0, 0}));
   removed.removeContact(1);
-  addPoses(&removed);
-  addPoses(&never);
+  add_poses(&removed);
+  add_poses(&never);
   for (int k = 0; k < 3; ++k) {
     for (int l = 0; l < 3; ++l) {
       const ConflictTable* a = removed.conflicts(k, l);
