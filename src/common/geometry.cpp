@@ -20,6 +20,12 @@ Pose makePose(const Vec3& position, const Vec3& rpy) {
   return pose;
 }
 
+Pose projectedToPlane(const Pose& pose) {
+  const Eigen::Matrix3d& turn = pose.linear();
+  const double angle = std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1));
+  return makePose({pose.translation().x(), pose.translation().y(), 0.0}, {0.0, 0.0, angle});
+}
+
 double angleBetween(const Pose& a, const Pose& b) {
   return Eigen::Quaterniond(a.linear()).angularDistance(Eigen::Quaterniond(b.linear()));
 }

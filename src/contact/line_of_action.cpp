@@ -6,6 +6,12 @@
 
 namespace smore {
 
+bool isFinite(const LineOfAction& line) {
+  return line.point.allFinite() && line.direction.allFinite() && std::isfinite(line.force) &&
+         std::isfinite(line.pitch) && std::isfinite(line.direction_stddev) &&
+         std::isfinite(line.offset_stddev);
+}
+
 Result<LineOfAction> lineOfAction(const Wrench& wrench, double min_force) {
   if (!isFinite(wrench)) {
     return Failure{"the wrench is not finite; check the sensor and its driver"};

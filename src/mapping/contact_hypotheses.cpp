@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/mapping/contact_hypotheses.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -29,10 +30,13 @@ std::uint64_t hashOf(const Pose& T_map_object, const LineOfAction& line) {
   return hashOf(T_map_object.linear().col(0), hashOf(T_map_object.linear().col(1), hash));
 }
 
+// `count` is positive.
 void normalise(std::array<float, kCandidates>* log_prior, int count) {
+  const double largest = *std::max_element(log_prior->begin(), log_prior->begin() + count);
   double sum = 0.0;
-  for (int i = 0; i < count; ++i) sum += std::exp((*log_prior)[i]);
-  for (int i = 0; i < count; ++i) (*log_prior)[i] -= static_cast<float>(std::log(sum));
+  for (int i = 0; i < count; ++i) sum += std::exp((*log_prior)[i] - largest);
+  const auto log_sum = static_cast<float>(largest + std::log(sum));
+  for (int i = 0; i < count; ++i) (*log_prior)[i] -= log_sum;
 }
 
 // Four standard normal numbers at a time that fill their space evenly: Roberts' sequence in four
@@ -68,6 +72,19 @@ struct Ray {
   Vec3 foot;
   Vec3 direction;
 };
+
+// The line as the plane has it: seen from where the object is in the plane, and without its height.
+// Nothing for a line that is too steep.
+std::optional<Ray> inPlane(const Pose& T_plane_object, const LineOfAction& line) {
+  const Pose T_flat_object = projectedToPlane(T_plane_object).inverse() * T_plane_object;
+  Ray ray{T_flat_object * line.point, T_flat_object.linear() * line.direction};
+  ray.direction.z() = 0.0;
+  if (!(ray.direction.norm() >= kSmallestInPlane)) return std::nullopt;
+  ray.direction.normalize();
+  ray.foot.z() = 0.0;
+  ray.foot -= ray.foot.dot(ray.direction) * ray.direction;
+  return ray;
+}
 
 // The lines that one measured line may stand for.
 class UncertainLine {
@@ -127,17 +144,14 @@ std::optional<ContactHypotheses> contactHypotheses(const Pose& T_map_object,
                                                    const LineOfAction& line,
                                                    const FeatureParameters& parameters,
                                                    bool planar) {
-  Ray mean{line.point, line.direction};
-  if (planar) {
-    mean.direction.z() = 0.0;
-    if (!(mean.direction.norm() >= kSmallestInPlane)) return std::nullopt;
-    mean.direction.normalize();
-    mean.foot.z() = 0.0;
-    mean.foot -= mean.foot.dot(mean.direction) * mean.direction;
-  }
+  if (!isFinite(T_map_object) || !isFinite(line)) return std::nullopt;
+  const Pose T = planar ? projectedToPlane(T_map_object) : T_map_object;
+  const std::optional<Ray> mean =
+      planar ? inPlane(T_map_object, line) : Ray{line.point, line.direction};
+  if (!mean) return std::nullopt;
   ContactHypotheses result;
   result.id = hashOf(T_map_object, line);
-  UncertainLine lines(mean, line, result.id, planar);
+  UncertainLine lines(*mean, line, result.id, planar);
   // A spread that the tolerance covers needs no more places than an exact line.
   const bool exact = lines.spread(parameters.reach) < parameters.tolerance;
   const int count = exact ? kCandidates / 2 : kCandidates;
@@ -145,7 +159,7 @@ std::optional<ContactHypotheses> contactHypotheses(const Pose& T_map_object,
   for (int i = 0; i < count; ++i) {
     const double along = (i + 0.5 - 0.5 * count) * spacing;
     const Ray ray = lines.next();
-    addPlace(T_map_object, ray.foot + along * ray.direction, ray.direction, parameters, &result);
+    addPlace(T, ray.foot + along * ray.direction, ray.direction, parameters, &result);
   }
   if (result.count == 0) return std::nullopt;
   normalise(&result.log_prior, result.count);

@@ -82,6 +82,11 @@ JointBelief::JointBelief(const JointBeliefParameters& parameters)
   if (parameters.T_world_plane) T_map_world_ = parameters.T_world_plane->inverse();
 }
 
+Pose JointBelief::toMap(const Pose& T_world_object) const {
+  const Pose T_map_object = T_map_world_ * T_world_object;
+  return parameters_.T_world_plane ? projectedToPlane(T_map_object) : T_map_object;
+}
+
 void JointBelief::observe(const ContactObservation& observation) {
   if (observation.state == ContactState::kFree) addFree(observation.T_world_object);
   if (observation.state == ContactState::kContact) noteContact(observation);
@@ -122,7 +127,7 @@ void JointBelief::extendTrack(const Pose& T_world_object) {
 }
 
 bool JointBelief::addContact(const Pose& T_world_object, const LineOfAction& line) {
-  const auto places = contactHypotheses(toMap(T_world_object), line, parameters_.feature,
+  const auto places = contactHypotheses(T_map_world_ * T_world_object, line, parameters_.feature,
                                         parameters_.T_world_plane.has_value());
   if (!places) return false;
   if (!known_contacts_.insert(places->id).second) return true;

@@ -61,10 +61,9 @@ std::vector<MaskGrid::BallRow> MaskGrid::rowsOfBall(float radius) {
   return rows;
 }
 
-Eigen::AlignedBox3f boxAround(const std::vector<MaskedPoint>& points, float margin) {
+Eigen::AlignedBox3f boxAround(const std::vector<MaskedPoint>& points, float margin, bool planar) {
   Eigen::AlignedBox3f box;
   for (const MaskedPoint& point : points) box.extend(point.point);
-  const bool planar = box.min().z() == 0.0F && box.max().z() == 0.0F;
   const Eigen::Vector3f margins(margin, margin, planar ? 0.0F : margin);
   return {box.min() - margins, box.max() + margins};
 }
@@ -103,10 +102,10 @@ MaskGrid::MaskGrid(const Eigen::AlignedBox3f& box, float cell) : cell_(cell) {
   masks_.assign(static_cast<std::size_t>(width_) * depth_ * height_, 0);
 }
 
-MaskGrid::MaskGrid(const std::vector<MaskedPoint>& points, float radius, float cell) {
+MaskGrid::MaskGrid(const std::vector<MaskedPoint>& points, float radius, float cell, bool planar) {
   if (points.empty()) return;
   // A margin of whole cells: points on a lattice of some cells then lie in the middle of cells.
-  *this = MaskGrid(boxAround(points, std::ceil(radius / cell) * cell), cell);
+  *this = MaskGrid(boxAround(points, std::ceil(radius / cell) * cell, planar), cell);
   for (const MaskedPoint& ball : points) mark(ball.point, ball.mask);
   dilate(radius);
 }

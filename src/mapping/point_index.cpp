@@ -2,6 +2,19 @@
 #include "smore/mapping/point_index.h"
 
 namespace smore {
+namespace {
+
+// A box of a metre in cells of a contact's size holds fewer; a few megabytes.
+constexpr double kMostCells = 1 << 20;
+
+// The radius, doubled until the box has no more cells than that.
+float cellFor(const Eigen::Vector3f& span, float radius) {
+  float cell = radius;
+  while (((span / cell).array().floor() + 1.0F).cast<double>().prod() > kMostCells) cell *= 2.0F;
+  return cell;
+}
+
+}  // namespace
 
 int PointIndex::cellOf(const Eigen::Vector3f& point) const {
   const Eigen::Vector3i at = ((point - min_) / cell_).array().floor().matrix().cast<int>();
@@ -17,6 +30,7 @@ void PointIndex::build(const std::vector<Eigen::Vector3f>& points) {
     min_ = min_.cwiseMin(point);
     max = max.cwiseMax(point);
   }
+  cell_ = cellFor(max - min_, radius_);
   size_ = ((max - min_) / cell_).array().floor().matrix().cast<int>() + Eigen::Vector3i::Ones();
   first_.assign(static_cast<std::size_t>(size_.prod()) + 1, 0);
   for (const Eigen::Vector3f& point : points) ++first_[cellOf(point) + 1];

@@ -31,9 +31,9 @@ SampledWorlds::SampledWorlds(const WorldSamples& samples, const FeatureParameter
   object_moves_ = object_.size() <= world_.size();
   const std::vector<MaskedPoint>& fixed = object_moves_ ? world_ : object_;
   // A half and a whole cell of the lattice on which the points lie.
-  near_ball_ = MaskGrid(fixed, distance, distance / 6.0F);
+  near_ball_ = MaskGrid(fixed, distance, distance / 6.0F, planar);
   // One more cell than the geometry needs makes up for the lattices' rounding.
-  near_block_ = MaskGrid(fixed, 1.4F * distance + half_diagonal, distance / 3.0F);
+  near_block_ = MaskGrid(fixed, 1.4F * distance + half_diagonal, distance / 3.0F, planar);
   makeBlocks(object_moves_ ? object_ : world_, block);
 }
 

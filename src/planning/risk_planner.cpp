@@ -56,7 +56,7 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
                          const RiskPlannerParameters& parameters, std::uint64_t seed)
     : belief_(&belief),
       parameters_(parameters),
-      space_(space, belief.toMap(Pose::Identity()), parameters.lever),
+      space_(space, belief.mapFrame(), parameters.lever),
       seed_(seed) {
   if (!space_.planar()) parameters_.improvements = parameters.improvements_in_space;
 }

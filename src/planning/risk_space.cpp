@@ -16,7 +16,8 @@ RiskSpace::RiskSpace(const MotionSpace& space, const Pose& T_map_world, double l
     : space_(space), T_map_world_(T_map_world), lever_(lever) {}
 
 RiskState RiskSpace::toState(const Pose& T_world_object) const {
-  const Pose T_map_object = T_map_world_ * T_world_object;
+  Pose T_map_object = T_map_world_ * T_world_object;
+  if (planar()) T_map_object = projectedToPlane(T_map_object);
   return {T_map_object.translation().cast<float>(),
           Eigen::Quaternionf(T_map_object.linear().cast<float>()).normalized()};
 }

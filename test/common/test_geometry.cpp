@@ -59,5 +59,23 @@ TEST(Bounds, containTheirFaces) {
   EXPECT_FALSE(bounds.contains(Vec3(0, 1.001, 0.5)));
 }
 
+TEST(ProjectedToPlane, ChangesNothingInThePlane) {
+  for (const double angle : {-3.1, -1.0, 0.0, 0.4, 3.1}) {
+    const Pose pose = makePose({0.3, -0.2, 0.0}, {0, 0, angle});
+    EXPECT_TRUE(projectedToPlane(pose).isApprox(pose, 1e-12));
+  }
+}
+
+TEST(ProjectedToPlane, IsThePoseInThePlaneThatIsNearest) {
+  const Pose pose = makePose({0.3, -0.2, 0.7}, {0.3, -0.4, 1.0});
+  const Pose flat = projectedToPlane(pose);
+  EXPECT_EQ(flat.translation(), Vec3(0.3, -0.2, 0.0));
+  EXPECT_NEAR((flat.linear().col(2) - Vec3::UnitZ()).norm(), 0.0, 1e-12);
+  const double gap = (flat.linear() - pose.linear()).norm();
+  for (double angle = -3.0; angle < 3.0; angle += 0.01) {
+    EXPECT_LE(gap, (makePose({0, 0, 0}, {0, 0, angle}).linear() - pose.linear()).norm() + 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace smore

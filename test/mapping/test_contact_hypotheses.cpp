@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "smore/mapping/contact_hypotheses.h"
 
@@ -85,6 +87,37 @@ TEST(ContactHypotheses, APitchIsAnErrorOfTheOffset) {
   const auto b = contactHypotheses(Pose::Identity(), pitched, parameters, false);
   ASSERT_TRUE(a && b);
   EXPECT_EQ(a->object.y, b->object.y);
+}
+
+// However fast touches grow rarer with the distance: the nearest places are left.
+TEST(ContactHypotheses, AreNormalisedWhereTheirWeightsAreTooSmallForNumbers) {
+  FeatureParameters parameters;
+  parameters.decay = 1e-4;
+  const auto contact =
+      contactHypotheses(Pose::Identity(), lineAlong({1, 0, 0}, {0, 0.3, 0}), parameters, false);
+  ASSERT_TRUE(contact);
+  double sum = 0.0;
+  for (int i = 0; i < contact->count; ++i) sum += std::exp(contact->log_prior[i]);
+  EXPECT_NEAR(sum, 1.0, 1e-3);
+}
+
+TEST(ContactHypotheses, AreNoneForNumbersThatAreNotFinite) {
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  const LineOfAction sound = lineAlong({1, 0, 0}, {0, 0.1, 0});
+  std::vector<LineOfAction> lines(6, sound);
+  lines[0].point.y() = kNothing;
+  lines[1].point.z() = kEndless;
+  lines[2].direction.x() = kNothing;
+  lines[3].pitch = kEndless;
+  lines[4].direction_stddev = kNothing;
+  lines[5].offset_stddev = kEndless;
+  for (const bool planar : {true, false}) {
+    for (const LineOfAction& line : lines) {
+      EXPECT_FALSE(contactHypotheses(Pose::Identity(), line, {}, planar));
+    }
+    EXPECT_FALSE(contactHypotheses(makePose({0, kNothing, 0}), sound, {}, planar));
+  }
 }
 
 TEST(ContactHypotheses, ALineOutOfReachSaysNothing) {

@@ -86,7 +86,7 @@ TEST(MaskGrid, BallsAroundPointsOfTheLatticeAreExact) {
   for (MaskedPoint& ball : balls) {
     ball.point = (ball.point / kCell).array().round().matrix() * kCell;
   }
-  const MaskGrid grid(balls, kDistance, kHalf);
+  const MaskGrid grid(balls, kDistance, kHalf, false);
   for (int i = 0; i < 5000; ++i) {
     const Eigen::Vector3f point = (random.point(0.25F) / kHalf).array().round().matrix() * kHalf;
     // Half a cell's rounding of a distance that is equal to that of contact does not count.
@@ -97,13 +97,23 @@ TEST(MaskGrid, BallsAroundPointsOfTheLatticeAreExact) {
 }
 
 TEST(ForbiddenMatter, WithoutTouchesNothingIsForbidden) {
-  const ForbiddenMatter forbidden({}, {Eigen::Isometry3f::Identity()}, boxAround({}, 0.6F),
+  const ForbiddenMatter forbidden({}, {Eigen::Isometry3f::Identity()}, boxAround({}, 0.6F, false),
                                   kDistance, kCell);
   EXPECT_EQ(forbidden.at(Eigen::Vector3f::Zero()), 0U);
 }
 
+// All touches at one height are no planar motion: what is above and below them is asked too.
+TEST(MaskGrid, OfSpatialPointsAtHeightZeroReachesAboveAndBelow) {
+  const MaskGrid grid({{Eigen::Vector3f(0.1F, 0.2F, 0.0F), 5}}, kDistance, kCell, false);
+  for (const float z : {-0.03F, 0.03F}) EXPECT_EQ(grid.at(Eigen::Vector3f(0.1F, 0.2F, z)), 5U);
+  const ForbiddenMatter forbidden(
+      {{Eigen::Vector3f(0.1F, 0.2F, 0.03F), 3}}, {Eigen::Isometry3f::Identity()},
+      boxAround({{Eigen::Vector3f(0.1F, 0.2F, 0.0F), 3}}, 0.1F, false), kDistance, kCell);
+  EXPECT_EQ(forbidden.at(Eigen::Vector3f(0.1F, 0.2F, 0.05F)), 3U);
+}
+
 TEST(MaskGrid, OfPlanarPointsIsFlat) {
-  const MaskGrid grid({{Eigen::Vector3f(0.1F, 0.2F, 0.0F), 5}}, kDistance, kCell);
+  const MaskGrid grid({{Eigen::Vector3f(0.1F, 0.2F, 0.0F), 5}}, kDistance, kCell, true);
   EXPECT_EQ(grid.at(Eigen::Vector3f(0.1F, 0.23F, 0.0F)), 5U);
   EXPECT_EQ(grid.at(Eigen::Vector3f(0.1F, 0.2F, 0.02F)), 0U);
   EXPECT_EQ(grid.at(Eigen::Vector3f(0.1F, 0.26F, 0.0F)), 0U);

@@ -92,6 +92,32 @@ TEST(ContactRisk, AlongAPathIsTheUnionOverItsPosesNotTheirSum) {
   EXPECT_GE(risk.along(path), risk.atPose(path.front()));
 }
 
+// An arm is never quite in the plane of motion: what touched there touches there.
+TEST(ContactRisk, InThePlaneDoesNotFallWithTheHeightAboveIt) {
+  const Pose T_world_plane = makePose({0.1, 0.2, 0.3}, {0.4, 0.2, 0.1});
+  JointBeliefParameters parameters;
+  parameters.T_world_plane = T_world_plane;
+  for (const Pose& off : {Pose(Pose::Identity()), makePose({0, 0, 0.008}),
+                          makePose({0, 0, -0.02}, {0.05, -0.03, 0})}) {
+    JointBelief belief(parameters);
+    ContactObservation observation;
+    observation.state = ContactState::kFree;
+    for (double x = 0.2; x < 0.29; x += 0.01) {
+      observation.T_world_object = T_world_plane * makePose({x, 0, 0}) * off;
+      belief.observe(observation);
+    }
+    observation.state = ContactState::kContact;
+    observation.T_world_object = T_world_plane * makePose({0.3, 0, 0}) * off;
+    observation.line = LineOfAction{Vec3::Zero(), -Vec3::UnitX(), 6.0};
+    belief.observe(observation);
+    const ContactRisk risk(belief);
+    const Pose on = T_world_plane * makePose({0.3 + 2.0 * parameters.feature.tolerance, 0, 0});
+    EXPECT_GT(risk.atPose(on * off), 0.9);
+    EXPECT_GT(risk.atPose(on), 0.9);
+    EXPECT_TRUE(belief.freeSpace().knows(belief.toMap(T_world_plane * makePose({0.25, 0, 0}))));
+  }
+}
+
 TEST(ContactRisk, NothingKnownIsNoRisk) {
   const JointBelief belief{JointBeliefParameters{}};
   const ContactRisk risk(belief);

@@ -40,6 +40,11 @@ Pose makePose(const Vec3& position, const Vec3& rpy = Vec3::Zero());
 /// The same angle in [-pi, pi] [rad].
 inline double wrapped(double angle) { return std::remainder(angle, 2.0 * M_PI); }
 
+/// The pose in the x-y plane of its frame that is nearest to `pose`: without the height of its
+/// origin, turned about z by what is nearest to its rotation (in the Frobenius norm), by nothing
+/// where it stands on its head.
+Pose projectedToPlane(const Pose& pose);
+
 /// Angle of the rotation between two poses [rad], in [0, pi].
 double angleBetween(const Pose& a, const Pose& b);
 

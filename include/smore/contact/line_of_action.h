@@ -16,6 +16,9 @@ struct LineOfAction {
   double offset_stddev = 0.0;     ///< standard deviation of the point across the line, per axis [m]
 };
 
+/// Whether all numbers of the line are.
+bool isFinite(const LineOfAction& line);
+
 /// Point r = F x M / F.F, direction F / |F| and pitch h = F.M / F.F of `wrench`, in its frame.
 /// No line for a force that is not finite or below `min_force` [N] (positive): the point's error
 /// grows as the torque's error over the force.

@@ -56,8 +56,9 @@ struct ContactHypotheses {
 /// deviations say. A pitch, which no single contact has, counts as an error of the line's offset.
 ///
 /// `planar`: the motion is in the map frame's x-y plane, in which all bodies count as prisms, so
-/// that everything is projected onto it. Nothing where the line passes outside of the reach, or, in
-/// planar motion, is too steep to the plane to say where.
+/// that everything is projected onto it, a pose that is not quite in it too. Nothing where the line
+/// passes outside of the reach, is too steep to the plane of planar motion to say where, or has a
+/// number that is not finite.
 std::optional<ContactHypotheses> contactHypotheses(const Pose& T_map_object,
                                                    const LineOfAction& line,
                                                    const FeatureParameters& parameters,

@@ -52,8 +52,12 @@ class JointBelief : public TwinMap {
   /// The sampled worlds; in the frames of toMap.
   const SampledWorlds& worlds() const;
 
-  /// The pose of the object in the map frame: the plane of motion, or the world.
-  Pose toMap(const Pose& T_world_object) const { return T_map_world_ * T_world_object; }
+  /// The pose of the object in the map frame: in space the world. In planar motion the frame of the
+  /// plane, onto which the pose is projected: an arm is never quite in it.
+  Pose toMap(const Pose& T_world_object) const;
+
+  /// The world in the map frame.
+  const Pose& mapFrame() const { return T_map_world_; }
 
   /// Motions that were free, in the order in which they were made [T_world_object].
   const std::vector<Path>& freeTracks() const { return tracks_; }

@@ -37,9 +37,9 @@ class MaskedPoints {
   std::unordered_map<std::uint64_t, std::size_t> index_;
 };
 
-/// A box that holds the points with `margin` [m] to spare, empty without points; planar points (all
-/// z equal to 0) get a flat one.
-Eigen::AlignedBox3f boxAround(const std::vector<MaskedPoint>& points, float margin);
+/// A box that holds the points with `margin` [m] to spare, empty without points; a flat one for the
+/// points of `planar` motion.
+Eigen::AlignedBox3f boxAround(const std::vector<MaskedPoint>& points, float margin, bool planar);
 
 /// A dense grid of masks over a box: in which hypotheses a point is near matter. 0 outside.
 class MaskGrid {
@@ -51,8 +51,9 @@ class MaskGrid {
   /// without cells.
   MaskGrid(const Eigen::AlignedBox3f& box, float cell);
 
-  /// The union of balls of `radius` around the cells that hold the points.
-  MaskGrid(const std::vector<MaskedPoint>& points, float radius, float cell);
+  /// The union of balls of `radius` around the cells that hold the points; of discs in the plane of
+  /// `planar` motion.
+  MaskGrid(const std::vector<MaskedPoint>& points, float radius, float cell, bool planar);
 
   /// Matter at all points in one cell; nothing happens outside of the box.
   void mark(const Eigen::Vector3f& point, HypothesisMask mask) {

@@ -11,13 +11,14 @@ namespace smore {
 /// Finds the points near a place: points sorted by the cells of a box, cells along x side by side.
 class PointIndex {
  public:
-  /// `cell` [m]: the largest distance that will be asked for.
-  explicit PointIndex(float cell) : cell_(cell) {}
+  /// `radius` [m], positive: how near the points are that will be asked for.
+  explicit PointIndex(float radius) : radius_(radius), cell_(radius) {}
 
-  /// Replaces all points.
+  /// Replaces all points, which must be finite. Where they lie far apart cells are larger than the
+  /// radius, so that they fit into memory: slower to search, and as exact.
   void build(const std::vector<Eigen::Vector3f>& points);
 
-  /// Calls visit(i) for each point i nearer to `place` than the cell's size.
+  /// Calls visit(i) for each point i nearer to `place` than the radius.
   template <typename Visit>
   void forNear(const Eigen::Vector3f& place, Visit visit) const {
     if (points_.empty()) return;
@@ -32,7 +33,7 @@ class PointIndex {
         const int first = first_[row + std::max(at.x() - 1, 0)];
         const int last = first_[row + std::min(at.x() + 1, size_.x() - 1) + 1];
         for (int i = first; i < last; ++i) {
-          if ((points_[i] - place).squaredNorm() < cell_ * cell_) visit(original_[i]);
+          if ((points_[i] - place).squaredNorm() < radius_ * radius_) visit(original_[i]);
         }
       }
     }
@@ -45,7 +46,8 @@ class PointIndex {
   }
   int cellOf(const Eigen::Vector3f& point) const;
 
-  float cell_;
+  float radius_;
+  float cell_;  ///< at least the radius [m]
   Eigen::Vector3f min_ = Eigen::Vector3f::Zero();
   Eigen::Vector3i size_ = Eigen::Vector3i::Zero();
   std::vector<int> first_;               ///< of each cell in points_

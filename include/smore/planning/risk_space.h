@@ -14,6 +14,7 @@ class RiskSpace {
   /// `lever` [m]: what one radian counts.
   RiskSpace(const MotionSpace& space, const Pose& T_map_world, double lever);
 
+  /// In planar motion the pose is projected onto the plane.
   RiskState toState(const Pose& T_world_object) const;
   Pose toPose(const RiskState& state) const;
   bool contains(const RiskState& state) const;
