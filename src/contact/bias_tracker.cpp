@@ -5,7 +5,8 @@
 
 namespace smore {
 
-BiasTracker::BiasTracker(const SensorNoise& noise, double delay, const Wrench& bias, double stddev)
+BiasTracker::BiasTracker(const SensorNoise& noise, const SampleWindow& delay, const Wrench& bias,
+                         double stddev)
     : noise_(noise), delay_(delay), bias_(bias), variance_(stddev * stddev) {}
 
 void BiasTracker::observe(double time, const Wrench& unloaded, bool free) {
@@ -15,7 +16,8 @@ void BiasTracker::observe(double time, const Wrench& unloaded, bool free) {
   if (!free) free_since_ = -1.0;
   if (free && free_since_ < 0.0) free_since_ = time;
   recent_.push_back({time, unloaded});
-  while (time - recent_.front().time > delay_) {
+  while (static_cast<int>(recent_.size()) > delay_.samples &&
+         time - recent_.front().time > delay_.duration) {
     const Sample& sample = recent_.front();
     age(sample.time);
     if (free && sample.time >= free_since_) learn(sample);

@@ -2,72 +2,96 @@
 #include "smore/contact/contact_detector.h"
 
 #include <algorithm>
-
-#include "smore/contact/sensor_noise.h"
+#include <cmath>
 
 namespace smore {
-namespace {
 
-// Sample times are multiples of the sensor period in floating point: a window of two periods must
-// hold the sample that is two periods old.
-constexpr double kTimeTolerance = 1e-6;
+ContactDetector::ContactDetector(const ContactDetectorParameters& parameters,
+                                 const SensorNoise& noise)
+    : parameters_(parameters), noise_(noise), tolerance_(0.5 * noise.sample_period) {}
 
-}  // namespace
-
-ContactDetector::ContactDetector(const ContactDetectorParameters& parameters)
-    : parameters_(parameters) {}
-
-ContactState ContactDetector::process(double time, const Vec3& force, double mean_stddev) {
-  samples_.emplace_back(time, force);
-  const double longest = std::max(parameters_.release_window, parameters_.slow_window);
-  while (time - samples_.front().first > longest + kTimeTolerance) samples_.pop_front();
-
+ContactState ContactDetector::process(double time, const Vec3& force, double bias_stddev) {
+  keep(time, force);
   updateContact(time);
+  judgeSlowMean(bias_stddev);
   if (in_contact_) return ContactState::kContact;
-  // The slow mean says nothing about free space before its window is full.
-  const bool window_full =
-      time - samples_.front().first >= parameters_.slow_window - kTimeTolerance;
-  static const double quantile = maxwellQuantile(kMissedFreeSpace);
-  const double explained = std::min(quantile * mean_stddev, parameters_.release_force);
-  const bool quiet =
-      meanForce(parameters_.slow_window).norm() < std::max(parameters_.free_force, explained);
-  return window_full && quiet ? ContactState::kFree : ContactState::kUnsure;
+  return quiet_ ? ContactState::kFree : ContactState::kUnsure;
 }
 
 void ContactDetector::reset() {
   samples_.clear();
-  in_contact_ = false;
+  in_contact_ = quiet_ = may_be_drift_ = false;
   above_since_ = -1.0;
 }
 
-Vec3 ContactDetector::meanForce(double window) const {
-  const double newest = samples_.back().first;
-  Vec3 sum = Vec3::Zero();
-  int count = 0;
-  for (auto it = samples_.rbegin(); it != samples_.rend(); ++it) {
-    if (newest - it->first > window + kTimeTolerance) break;
-    sum += it->second;
-    ++count;
+void ContactDetector::keep(double time, const Vec3& force) {
+  if (!samples_.empty() && time - samples_.back().time > kLongestGap) {
+    samples_.clear();
+    above_since_ = -1.0;
   }
-  return sum / count;
+  if (samples_.empty()) started_ = time;
+  samples_.push_back({time, force});
+  const SampleWindow& release = parameters_.release_window;
+  const SampleWindow& slow = parameters_.slow_window;
+  const double longest = std::max(release.duration, slow.duration) + tolerance_;
+  const size_t most = static_cast<size_t>(std::max(release.samples, slow.samples));
+  while (samples_.size() > most && time - samples_.front().time > longest) samples_.pop_front();
+}
+
+// Half of a short duration has to pass even where stamps are worse than that.
+bool ContactDetector::hasPassed(double duration, double elapsed) const {
+  return elapsed >= duration - std::min(tolerance_, 0.5 * duration);
+}
+
+ContactDetector::Mean ContactDetector::meanOver(const SampleWindow& window) const {
+  const double oldest = samples_.back().time - window.duration - tolerance_;
+  Mean mean{Vec3::Zero()};
+  for (auto it = samples_.rbegin(); it != samples_.rend(); ++it) {
+    if (it->time < oldest && mean.samples >= window.samples) break;
+    mean.force += it->force;
+    mean.since = it->time;
+    ++mean.samples;
+  }
+  mean.force /= mean.samples;
+  return mean;
+}
+
+void ContactDetector::judgeSlowMean(double bias_stddev) {
+  static const double free_quantile = maxwellQuantile(kMissedFreeSpace);
+  static const double drift_quantile = maxwellQuantile(kMissedDrift);
+  const SampleWindow& window = parameters_.slow_window;
+  const Mean slow = meanOver(window);
+  const double stddev = std::hypot(noise_.force_stddev / std::sqrt(slow.samples), bias_stddev);
+  const auto is_explained = [&](double quantile) {
+    const double error = std::min(quantile * stddev, parameters_.release_force);
+    return slow.force.norm() < std::max(parameters_.free_force, error);
+  };
+  // The mean says nothing before its window is full.
+  const bool full =
+      slow.samples >= window.samples && hasPassed(window.duration, samples_.back().time - started_);
+  quiet_ = full && !in_contact_ && is_explained(free_quantile);
+  may_be_drift_ = full && !in_contact_ && is_explained(drift_quantile);
 }
 
 void ContactDetector::updateContact(double time) {
   if (in_contact_) {
     // The mean must not reach back before the contact's own rise.
-    const double overhang = parameters_.release_window - parameters_.fast_window;
-    if (time - confirmed_at_ < overhang - kTimeTolerance) return;
-    in_contact_ = meanForce(parameters_.release_window).norm() >= parameters_.release_force;
+    const SampleWindow& window = parameters_.release_window;
+    const Mean release = meanOver(window);
+    if (release.samples < window.samples || release.since < contact_since_) return;
+    in_contact_ = release.force.norm() >= parameters_.release_force;
     return;
   }
-  if (meanForce(parameters_.fast_window).norm() < parameters_.contact_force) {
+  const Mean fast = meanOver(parameters_.fast_window);
+  if (fast.samples < parameters_.fast_window.samples ||
+      fast.force.norm() < parameters_.contact_force) {
     above_since_ = -1.0;
     return;
   }
   if (above_since_ < 0.0) above_since_ = time;
-  if (time - above_since_ >= parameters_.dwell - kTimeTolerance) {
+  if (hasPassed(parameters_.dwell, time - above_since_)) {
     in_contact_ = true;
-    confirmed_at_ = time;
+    contact_since_ = fast.since;
     above_since_ = -1.0;
     ++contact_count_;
   }

@@ -9,8 +9,6 @@
 namespace smore {
 namespace {
 
-constexpr double kTimeTolerance = 1e-6;  // [s], floating-point error of sample times
-
 // Two unit vectors that make a right-handed frame with `axis`.
 std::pair<Vec3, Vec3> perpendiculars(const Vec3& axis) {
   const Vec3 first = axis.unitOrthogonal();
@@ -58,8 +56,8 @@ ContactDetectorParameters readDetector(ParameterReader reader) {
   reader.number("free_force", &detector.free_force, {1e-3, 1000.0});
   reader.number("release_force", &detector.release_force, {1e-3, 1000.0});
   reader.number("dwell", &detector.dwell, {0.0, 1.0});
-  reader.number("fast_window", &detector.fast_window, {0.0, 1.0});
-  reader.number("slow_window", &detector.slow_window, {0.0, 10.0});
+  reader.number("fast_window", &detector.fast_window.duration, {0.0, 1.0});
+  reader.number("slow_window", &detector.slow_window.duration, {0.0, 10.0});
   detector.release_window = detector.fast_window;
   if (detector.free_force >= detector.contact_force) {
     reader.error("free_force", "must be below contact_force");
@@ -74,7 +72,7 @@ ContactDetectorParameters readDetector(ParameterReader reader) {
 LineParameters readLine(ParameterReader reader) {
   LineParameters line;
   reader.number("settle", &line.settle, {0.0, 10.0});
-  reader.number("window", &line.window, {0.0, 10.0});
+  reader.number("window", &line.window.duration, {0.0, 10.0});
   reader.number("min_force", &line.min_force, {1e-3, 1000.0});
   reader.number("added_direction_stddev", &line.added_direction_stddev, {0.0, M_PI});
   reader.number("added_offset_stddev", &line.added_offset_stddev, {0.0, 1.0});
@@ -98,7 +96,7 @@ ContactSensing::ContactSensing(const ContactSensingParameters& parameters, std::
     : parameters_(allowForNoise(parameters)),
       compensator_(parameters_.tare, parameters_.payload, parameters_.noise,
                    parameters_.detector.slow_window),
-      detector_(parameters_.detector),
+      detector_(parameters_.detector, parameters_.noise),
       random_(seed) {}
 
 Result<ContactObservation> ContactSensing::process(const WrenchSample& raw) {
@@ -113,24 +111,25 @@ Result<ContactObservation> ContactSensing::process(const WrenchSample& raw) {
                    " s; the sample is left out; check the clock and who else publishes wrenches"};
   }
   last_time_ = raw.time;
+  compensated_ = compensator_.process(raw).value_or(Wrench{});
+  return observe(raw);
+}
 
+ContactObservation ContactSensing::observe(const WrenchSample& raw) {
   ContactObservation observation;
   observation.time = raw.time;
   observation.T_world_object = raw.T_world_object;
-  compensated_ = compensator_.process(raw).value_or(Wrench{});
   if (!compensator_.tared()) return observation;
 
-  const double slow_samples =
-      1.0 + parameters_.detector.slow_window / parameters_.noise.sample_period;
   const double unknown = compensator_.unknownWeight(raw.T_world_object);
   observation.state = detector_.process(raw.time, shortened(compensated_.force, unknown),
-                                        meanForceStddev(slow_samples));
+                                        compensator_.biasStddev());
   observation.contact_id = detector_.contactCount();
   // What the weight hides may touch, and a line of both leads nowhere.
   const bool hidden = unknown >= parameters_.detector.free_force;
   if (hidden && observation.state == ContactState::kFree) observation.state = ContactState::kUnsure;
   observation.line = measureLine(raw, hidden ? ContactState::kUnsure : observation.state);
-  compensator_.track(raw, observation.state == ContactState::kFree);
+  compensator_.track(raw, !hidden && detector_.mayBeDrift());
   return observation;
 }
 
@@ -149,7 +148,7 @@ void ContactSensing::forgetContact() {
   average_.reset();
 }
 
-double ContactSensing::meanForceStddev(double samples) const {
+double ContactSensing::meanForceStddev(int samples) const {
   return std::hypot(parameters_.noise.force_stddev / std::sqrt(samples), compensator_.biasStddev());
 }
 
@@ -166,13 +165,16 @@ std::optional<LineOfAction> ContactSensing::measureLine(const WrenchSample& raw,
     average_->confirmed_at = raw.time;
     averaged_contact_ = detector_.contactCount();
   }
+  const LineParameters& line = parameters_.line;
+  const double tolerance = 0.5 * parameters_.noise.sample_period;  // of stamps
   const double age = raw.time - average_->confirmed_at;
-  if (average_->given || age < parameters_.line.settle - kTimeTolerance) return std::nullopt;
+  if (average_->given || age < line.settle - tolerance) return std::nullopt;
   average_->sum.force += compensated_.force;
   average_->sum.torque += compensated_.torque;
   ++average_->count;
-  const double end = parameters_.line.settle + parameters_.line.window;
-  return age >= end - kTimeTolerance ? averagedLine(raw.sensor_object) : std::nullopt;
+  const bool full = age >= line.settle + line.window.duration - tolerance &&
+                    average_->count >= line.window.samples;
+  return full ? averagedLine(raw.sensor_object) : std::nullopt;
 }
 
 std::optional<LineOfAction> ContactSensing::averagedLine(const Vec3& sensor_object) {

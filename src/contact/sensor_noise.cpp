@@ -23,9 +23,9 @@ double maxwellQuantile(double probability) {
   return high;
 }
 
-double noiseWindow(const SensorNoise& noise, double error, double probability) {
+int noiseSamples(const SensorNoise& noise, double error, double probability) {
   const double ratio = maxwellQuantile(probability) * noise.force_stddev / error;
-  return std::max(0.0, std::ceil(ratio * ratio) - 1.0) * noise.sample_period;
+  return std::max(1, static_cast<int>(std::ceil(ratio * ratio)));
 }
 
 }  // namespace smore

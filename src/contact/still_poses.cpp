@@ -29,7 +29,7 @@ bool StillPoses::add(const WrenchSample& sample) {
   sum_.force += sample.wrench.force;
   sum_.torque += sample.wrench.torque;
   ++count_;
-  if (age < parameters_.window) return false;
+  if (age < parameters_.window.duration || count_ < parameters_.window.samples) return false;
   keep({sample.time, {sum_.force / count_, sum_.torque / count_}, pose, sample.sensor_object});
   beginAverage(sample, 0.0);
   return true;

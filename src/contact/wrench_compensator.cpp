@@ -40,7 +40,7 @@ std::pair<double, double> spread(const std::vector<Wrench>& wrenches, const Wren
 }  // namespace
 
 WrenchCompensator::WrenchCompensator(const TareParameters& tare, const Payload& payload,
-                                     const SensorNoise& noise, double track_delay)
+                                     const SensorNoise& noise, const SampleWindow& track_delay)
     : parameters_(tare), payload_(payload), noise_(noise), track_delay_(track_delay) {}
 
 void WrenchCompensator::setPayload(const Payload& payload) {
@@ -56,8 +56,9 @@ void WrenchCompensator::startTare() {
 std::optional<Wrench> WrenchCompensator::process(const WrenchSample& raw) {
   const Wrench unloaded = raw.wrench - weight(raw.T_world_object);
   if (bias_) return unloaded - bias_->bias();
+  if (still_.empty()) tare_since_ = raw.time;
   still_.push_back(unloaded);
-  if (static_cast<int>(still_.size()) >= parameters_.samples) finishTare(raw);
+  if (enoughForTare(raw.time)) finishTare(raw);
   return std::nullopt;
 }
 
@@ -73,6 +74,16 @@ double WrenchCompensator::unknownWeight(const Pose& T_world_object) const {
 std::optional<double> WrenchCompensator::biasTime() const {
   if (!bias_) return std::nullopt;
   return std::max(tared_at_, bias_->learntAt());
+}
+
+// Over n samples in the time t, white noise leaves s^2 / n in the variance of a mean, and a walk of
+// the bias q^2 t / 3 between the mean and the newest value: the sum is least where they are equal.
+bool WrenchCompensator::enoughForTare(double now) const {
+  const int count = static_cast<int>(still_.size());
+  if (count < parameters_.samples) return false;
+  if (count >= parameters_.noise_samples) return true;
+  const double noise = noise_.force_stddev * noise_.force_stddev / count;
+  return noise_.force_drift * noise_.force_drift * (now - tare_since_) / 3.0 >= noise;
 }
 
 void WrenchCompensator::finishTare(const WrenchSample& last) {
@@ -92,9 +103,8 @@ void WrenchCompensator::finishTare(const WrenchSample& last) {
             << max_torque_stddev << " N m; stop the robot, free the object, and tare again";
     tare_problem_ = problem.str();
   } else {
-    const double duration = noise_.sample_period * static_cast<double>(still_.size());
-    // The mean's noise, and the walk from the samples to the end: its variance is a third of the
-    // whole walk's.
+    const double duration = last.time - tare_since_;
+    // The mean's noise, and the walk from the samples to the end.
     const double stddev =
         std::hypot(noise_.force_stddev / std::sqrt(static_cast<double>(still_.size())),
                    noise_.force_drift * std::sqrt(duration / 3.0));

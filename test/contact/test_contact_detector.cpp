@@ -70,13 +70,14 @@ TEST(ContactDetector, confirmsWithinTheFastWindowAndTheDwell) {
   ContactDetectorParameters parameters;
   Feed feed(parameters);
   feed.hold(0.0, 100);
-  const int latency = static_cast<int>((parameters.fast_window + parameters.dwell) / kPeriod) + 1;
+  const int latency =
+      static_cast<int>((parameters.fast_window.duration + parameters.dwell) / kPeriod) + 1;
   EXPECT_EQ(feed.hold(5.0, latency), ContactState::kContact);
 }
 
 TEST(ContactDetector, averagesForceVectorsSoThatNoiseCancels) {
   ContactDetectorParameters parameters;
-  parameters.slow_window = 0.4;
+  parameters.slow_window.duration = 0.4;
   ContactDetector detector(parameters);
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0.0, 0.8);

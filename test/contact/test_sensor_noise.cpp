@@ -19,12 +19,12 @@ TEST(MaxwellTail, agreesWithTheChiSquareTableOfThreeDegreesOfFreedom) {
   }
 }
 
-TEST(NoiseWindow, holdsJustEnoughSamples) {
+TEST(NoiseSamples, areJustEnough) {
   SensorNoise noise;
-  EXPECT_EQ(noiseWindow(noise, 1.0, 0.05), 0.0);
+  EXPECT_EQ(noiseSamples(noise, 1.0, 0.05), 1);
   noise.force_stddev = 2.0;
-  const double samples = 1.0 + noiseWindow(noise, 1.0, 0.05) / noise.sample_period;
-  EXPECT_NEAR(samples, std::ceil(4.0 * 7.8147), 1e-9);
+  const int samples = noiseSamples(noise, 1.0, 0.05);
+  EXPECT_EQ(samples, std::ceil(4.0 * 7.8147));
   std::mt19937_64 random(101);
   std::normal_distribution<double> normal(0.0, 2.0 / std::sqrt(samples));
   constexpr int kMeans = 20000;
@@ -39,25 +39,25 @@ TEST(NoiseWindow, holdsJustEnoughSamples) {
 TEST(AllowForNoise, leavesEverythingAsItIsWithoutNoise) {
   const ContactSensingParameters given;
   const ContactSensingParameters result = allowForNoise(given);
-  EXPECT_EQ(result.detector.fast_window, given.detector.fast_window);
-  EXPECT_EQ(result.detector.release_window, given.detector.release_window);
-  EXPECT_EQ(result.detector.slow_window, given.detector.slow_window);
-  EXPECT_EQ(result.line.window, given.line.window);
+  EXPECT_EQ(result.detector.fast_window.samples, 1);
+  EXPECT_EQ(result.detector.release_window.samples, 1);
+  EXPECT_EQ(result.detector.slow_window.samples, 1);
+  EXPECT_EQ(result.line.window.samples, 1);
   EXPECT_EQ(result.line.settle, given.line.settle);
-  EXPECT_EQ(result.tare.samples, given.tare.samples);
+  EXPECT_EQ(result.tare.noise_samples, 0);
 }
 
-TEST(AllowForNoise, lengthensWindowsAndWaitsForTheFilter) {
+TEST(AllowForNoise, asksForMoreSamplesAndWaitsForTheFilter) {
   ContactSensingParameters given;
   given.noise.force_stddev = 1.75;
   given.noise.filter_time_constant = 0.01;
   const ContactSensingParameters result = allowForNoise(given);
-  EXPECT_NEAR(result.detector.fast_window, 0.008, 1e-9);
-  EXPECT_NEAR(result.detector.release_window, 0.03, 0.003);
-  EXPECT_NEAR(result.detector.slow_window, 0.28, 0.01);
-  EXPECT_EQ(result.line.window, result.detector.slow_window);
+  EXPECT_EQ(result.detector.fast_window.samples, 5);
+  EXPECT_NEAR(result.detector.release_window.samples, 16, 1);
+  EXPECT_NEAR(result.detector.slow_window.samples, 140, 5);
+  EXPECT_EQ(result.line.window.samples, result.detector.slow_window.samples);
   EXPECT_NEAR(result.line.settle, 0.05, 1e-12);
-  EXPECT_GE(result.tare.samples, 1300);
+  EXPECT_EQ(result.tare.noise_samples, 10 * result.detector.slow_window.samples);
 }
 
 // A bias that walks, read every 2 ms.
@@ -88,7 +88,7 @@ class BiasTrackerTest : public ::testing::Test {
   std::normal_distribution<double> normal_;
   double time_ = 0.0;
   Vec3 bias_ = Vec3::Zero();
-  BiasTracker tracker_{noise(), 0.3, Wrench{}, 0.1};
+  BiasTracker tracker_{noise(), SampleWindow{0.3}, Wrench{}, 0.1};
 };
 
 TEST_F(BiasTrackerTest, followsTheDriftAsWellAsItSays) {
@@ -118,7 +118,7 @@ TEST_F(BiasTrackerTest, learnsNothingFromAContactNorFromItsRise) {
 TEST(BiasTracker, staysWithoutDrift) {
   SensorNoise noise;
   noise.force_stddev = 1.0;
-  BiasTracker tracker(noise, 0.0, {Vec3(1, 2, 3), Vec3(4, 5, 6)}, 0.1);
+  BiasTracker tracker(noise, {}, {Vec3(1, 2, 3), Vec3(4, 5, 6)}, 0.1);
   for (int i = 0; i < 100; ++i) tracker.observe(0.002 * i, {Vec3(9, 9, 9), Vec3::Zero()}, true);
   EXPECT_EQ(tracker.bias().force, Vec3(1, 2, 3));
   EXPECT_EQ(tracker.stddev(), 0.1);

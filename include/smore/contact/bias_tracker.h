@@ -4,6 +4,7 @@
 #include <deque>
 
 #include "smore/common/geometry.h"
+#include "smore/contact/sample_window.h"
 #include "smore/contact/sensor_noise.h"
 
 namespace smore {
@@ -11,12 +12,14 @@ namespace smore {
 /// Follows a sensor's bias as it drifts: a Kalman filter of a random walk, the same gain on all
 /// axes of force and torque, that learns from samples in free space alone.
 ///
-/// A sample counts once it is `delay` old and everything since has been free: the first samples of
-/// a contact, which come before it is confirmed, never count. Without drift the bias stays.
+/// A sample counts once it is out of the window `delay` and everything since has been free: the
+/// first samples of a contact, which come before it is confirmed, never count. Without drift the
+/// bias stays.
 class BiasTracker {
  public:
   /// `bias` as of time `time` [s], its force known to `stddev` [N] on each axis.
-  BiasTracker(const SensorNoise& noise, double delay, const Wrench& bias, double stddev);
+  BiasTracker(const SensorNoise& noise, const SampleWindow& delay, const Wrench& bias,
+              double stddev);
 
   /// Takes a wrench without weight at `time` [s]; whether nothing touches.
   void observe(double time, const Wrench& unloaded, bool free);
@@ -39,14 +42,14 @@ class BiasTracker {
   void learn(const Sample& sample);
 
   SensorNoise noise_;
-  double delay_;
+  SampleWindow delay_;
   Wrench bias_;
   double variance_;            ///< of the force's bias at known_at_, per axis [N^2]
   double known_at_ = -1.0;     ///< [s]; negative before the first sample
   double newest_ = -1.0;       ///< [s]
   double free_since_ = -1.0;   ///< [s]; negative while something may touch
   double learnt_at_ = -1.0;    ///< [s]
-  std::deque<Sample> recent_;  ///< not older than the delay
+  std::deque<Sample> recent_;  ///< within the delay
 };
 
 }  // namespace smore

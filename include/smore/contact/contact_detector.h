@@ -2,32 +2,47 @@
 #pragma once
 
 #include <deque>
-#include <utility>
 
 #include "smore/contact/contact_observation.h"
+#include "smore/contact/sample_window.h"
+#include "smore/contact/sensor_noise.h"
 
 namespace smore {
 
 struct ContactDetectorParameters {
-  double contact_force = 5.0;     ///< mean force over the fast window at or above: touching [N]
-  double free_force = 0.5;        ///< mean force over the slow window below: nothing touches [N]
-  double release_force = 2.5;     ///< a contact lasts until the fast mean falls below [N]
-  double dwell = 0.004;           ///< how long the contact force must last; impacts are shorter [s]
-  double fast_window = 0.004;     ///< [s]; short: the stop waits for it
-  double release_window = 0.004;  ///< [s], at least the fast one; in it contact is found to end
-  double slow_window = 0.02;      ///< [s]; long: sensor noise must fall below free_force in it
+  double contact_force = 5.0;  ///< mean force over the fast window at or above: touching [N]
+  double free_force = 0.5;     ///< mean force over the slow window below: nothing touches [N]
+  double release_force = 2.5;  ///< a contact lasts until the release mean falls below [N]
+  double dwell = 0.004;        ///< how long the contact force must last; impacts are shorter [s]
+  SampleWindow fast_window{0.004};     ///< short: the stop waits for it
+  SampleWindow release_window{0.004};  ///< at least the fast one; in it contact is found to end
+  SampleWindow slow_window{0.02};      ///< long: sensor noise must fall below free_force in it
 };
 
 /// Tells contact from free space by the force's magnitude, with hysteresis against noise and a
 /// dwell against impact spikes. The mean is taken over force vectors, so that noise cancels.
+///
+/// Samples may come at any rate, unevenly, with gaps. A window is full by the time that has passed
+/// and the samples that came, not by how old its oldest sample happens to be. After a gap of
+/// `kLongestGap` what was felt before says nothing any more.
 class ContactDetector {
  public:
-  explicit ContactDetector(const ContactDetectorParameters& parameters);
+  /// A silence after which the object may have been anywhere [s]: a dozen samples of a slow sensor
+  /// (50 Hz) may be lost in a row before.
+  static constexpr double kLongestGap = 0.25;
 
-  /// State after a sample of force [N] at `time` [s]; times must rise. `mean_stddev` [N]: how far,
-  /// on each axis, the slow mean may be off by the sensor's errors. What these explain is free
-  /// space too, up to the release force.
-  ContactState process(double time, const Vec3& force, double mean_stddev = 0.0);
+  /// Stamps may be off by half of `noise`'s sample period.
+  explicit ContactDetector(const ContactDetectorParameters& parameters,
+                           const SensorNoise& noise = {});
+
+  /// State after a sample of force [N] at `time` [s]; times must rise. `bias_stddev` [N]: how far,
+  /// on each axis, all samples may be off together. What noise and bias explain of the slow mean is
+  /// free space too, up to the release force.
+  ContactState process(double time, const Vec3& force, double bias_stddev = 0.0);
+
+  /// Whether the last slow mean may be noise and a bias that has drifted: nothing need touch. True
+  /// wherever the state is free, and for all but kMissedDrift of free space.
+  bool mayBeDrift() const { return may_be_drift_; }
 
   /// Contacts confirmed so far.
   int contactCount() const { return contact_count_; }
@@ -36,15 +51,33 @@ class ContactDetector {
   void reset();
 
  private:
-  /// Mean over the samples not older than `window` before the newest.
-  Vec3 meanForce(double window) const;
+  struct Sample {
+    double time = 0.0;
+    Vec3 force;
+  };
+
+  struct Mean {
+    Vec3 force;
+    int samples = 0;
+    double since = 0.0;  ///< time of the oldest sample in it [s]
+  };
+
+  void keep(double time, const Vec3& force);
+  bool hasPassed(double duration, double elapsed) const;
+  Mean meanOver(const SampleWindow& window) const;
   void updateContact(double time);
+  void judgeSlowMean(double bias_stddev);
 
   ContactDetectorParameters parameters_;
-  std::deque<std::pair<double, Vec3>> samples_;
+  SensorNoise noise_;
+  double tolerance_;  ///< of stamps [s]
+  std::deque<Sample> samples_;
+  double started_ = 0.0;  ///< time of the first sample since the last reset or gap [s]
   bool in_contact_ = false;
-  double confirmed_at_ = 0.0;  ///< of the present contact [s]
-  double above_since_ = -1.0;  ///< when the contact force was reached; negative: it is not
+  bool quiet_ = false;  ///< the slow mean is that of free space
+  bool may_be_drift_ = false;
+  double contact_since_ = 0.0;  ///< oldest sample in the mean that confirmed the contact [s]
+  double above_since_ = -1.0;   ///< when the contact force was reached; negative: it is not
   int contact_count_ = 0;
 };
 

@@ -16,9 +16,9 @@ namespace smore {
 
 /// How the line of action of a contact is measured.
 struct LineParameters {
-  double settle = 0.03;    ///< from the confirmed contact to the start of the average [s]
-  double window = 0.02;    ///< averaged [s]; the robot stands still in contact meanwhile
-  double min_force = 1.0;  ///< a mean force below gives no line [N]
+  double settle = 0.03;       ///< from the confirmed contact to the start of the average [s]
+  SampleWindow window{0.02};  ///< averaged; the robot stands still in contact meanwhile
+  double min_force = 1.0;     ///< a mean force below gives no line [N]
   double added_direction_stddev = 0.0;  ///< artificial error of the direction, for studies [rad]
   double added_offset_stddev = 0.0;     ///< artificial error across the line, for studies [m]
 };
@@ -43,8 +43,9 @@ ContactSensingParameters readContactSensingParameters(ParameterReader* reader);
 /// Its uncertainty follows from the noise of the averaged samples, from how well the bias is known,
 /// and from its lever at the sensor.
 ///
-/// Windows are lengthened where the sensor's noise asks for it (allowForNoise), and the bias
-/// follows the sensor's drift in free space.
+/// Windows hold more samples where the sensor's noise asks for it (allowForNoise), and the bias
+/// follows the sensor's drift in free space. Samples may come at any rate, unevenly, with gaps;
+/// what is said of a mean's uncertainty counts the samples that were in it.
 class ContactSensing {
  public:
   /// `seed` is used by the artificial line errors only.
@@ -77,10 +78,11 @@ class ContactSensing {
     bool given = false;
   };
 
+  ContactObservation observe(const WrenchSample& raw);
   std::optional<LineOfAction> measureLine(const WrenchSample& raw, ContactState state);
   std::optional<LineOfAction> averagedLine(const Vec3& sensor_object);
   /// Error of the mean of so many samples' forces, per axis [N]: noise and bias.
-  double meanForceStddev(double samples) const;
+  double meanForceStddev(int samples) const;
   void forgetContact();
   void addErrors(LineOfAction* line);
 

@@ -5,9 +5,9 @@
 
 namespace smore {
 
-/// The same parameters with every window at least as long as the sensor's noise asks for; without
-/// noise they stay as they are. With q(p) the quantile of Maxwell's distribution a window that may
-/// err by e holds (q(p) sigma / e)^2 samples:
+/// The same parameters with as many samples at least in every window as the sensor's noise asks
+/// for; without noise they stay as they are. With q(p) the quantile of Maxwell's distribution a
+/// window that may err by e holds (q(p) sigma / e)^2 samples:
 ///
 /// | window  | may err by                    | with probability                             |
 /// |---------|-------------------------------|----------------------------------------------|
@@ -15,11 +15,10 @@ namespace smore {
 /// | release | contact_force - release_force | that of one false release in an hour         |
 /// | slow    | free_force                    | 1 %: free space that goes unnoticed          |
 ///
-/// The fast window leaves free_force for what the bias may be off. A line is averaged as long as
-/// the slow window: its mean force is then as good as the one that free space is told by. The tare
-/// takes ten slow windows, so that its error adds little to theirs, but no longer than until drift
-/// outweighs what averaging gains. A low-pass of the sensor has settled before a line's average
-/// begins.
+/// The fast window leaves free_force for what the bias may be off. A line is averaged over as many
+/// samples as the slow window: its mean force is then as good as the one that free space is told
+/// by. The tare may take ten times as many, so that its error adds little to theirs. A low-pass of
+/// the sensor has settled before a line's average begins.
 ContactSensingParameters allowForNoise(const ContactSensingParameters& parameters);
 
 }  // namespace smore

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "smore/contact/payload_identification.h"
+#include "smore/contact/sample_window.h"
 
 namespace smore {
 
 struct StillPosesParameters {
-  double settle = 0.25;    ///< at rest before an average begins [s]
-  double window = 0.5;     ///< averaged [s]
-  double moved = 1e-3;     ///< a change of the pose by more is motion [m + rad]
+  double settle = 0.25;          ///< at rest before an average begins [s]
+  SampleWindow window{0.5, 20};  ///< averaged; a sensor of 50 Hz gives so many
+  double moved = 1e-3;           ///< a change of the pose by more is motion [m + rad]
   double distinct = 0.1;   ///< gravity turned by less in the object's axes: the same pose [rad]
   double max_age = 120.0;  ///< an older average is dropped: the bias has drifted [s]
 };

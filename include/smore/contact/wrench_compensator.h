@@ -13,22 +13,24 @@
 namespace smore {
 
 struct TareParameters {
-  int samples = 100;               ///< averaged into the bias; at least 2
+  int samples = 100;               ///< averaged into the bias at least; 2 or more
+  int noise_samples = 0;           ///< so many where noise asks for more and drift allows
   double max_force_stddev = 3.0;   ///< above, per axis: the robot was not still [N]
   double max_torque_stddev = 0.3;  ///< above, per axis: the robot was not still [N m]
 };
 
 /// Removes the sensor's bias and the payload's weight from raw wrenches.
 ///
-/// The bias is the mean over `samples` still samples less the payload's weight in each; a tare
-/// during which a component varied more than allowed, and more than the sensor's noise explains, is
+/// The bias is the mean over still samples less the payload's weight in each: `samples` of them,
+/// and up to `noise_samples` until the sensor's drift outweighs what averaging gains. A tare during
+/// which a component varied more than allowed, and more than the sensor's noise explains, is
 /// refused, with the reason, and starts again. Where the sensor drifts, the bias is tracked in free
 /// space from then on.
 class WrenchCompensator {
  public:
-  /// A sample in free space counts for the bias once it is `track_delay` old [s] (BiasTracker).
+  /// A sample in free space counts for the bias once it is out of `track_delay` (BiasTracker).
   explicit WrenchCompensator(const TareParameters& tare, const Payload& payload = {},
-                             const SensorNoise& noise = {}, double track_delay = 0.0);
+                             const SensorNoise& noise = {}, const SampleWindow& track_delay = {});
 
   /// What the wrist carries from now on. The bias that was found with another payload is forgotten:
   /// a new tare begins.
@@ -63,14 +65,16 @@ class WrenchCompensator {
 
  private:
   Wrench weight(const Pose& T_world_object) const;
+  bool enoughForTare(double now) const;
   void finishTare(const WrenchSample& last);
 
   TareParameters parameters_;
   Payload payload_;
   SensorNoise noise_;
-  double track_delay_;
+  SampleWindow track_delay_;
   std::vector<Wrench> still_;
   std::optional<BiasTracker> bias_;
+  double tare_since_ = 0.0;            ///< time of the first still sample [s]
   double tared_at_ = 0.0;              ///< [s]
   Vec3 gravity_tared_ = Vec3::Zero();  ///< in the object's axes at the tare [m/s^2]
   std::string tare_problem_;
