@@ -3,24 +3,26 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
-#include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <deque>
 #include <sstream>
 
 #include "force_torque_parameters.h"
+#include "smore/contact/sample_rate.h"
 #include "smore/contact/still_poses.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/sensing_request.h"
 #include "smore/ros/throttle.h"
+#include "smore/ros/wrist_poses.h"
 
 namespace smore {
 namespace {
 
 constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
-constexpr double kTimeJump = 1.0;       // [s]; stamps that fall by less are merely out of order
+constexpr double kFarRate = 1.5;   // times the period that parameters say, or below its inverse
+constexpr double kTimeJump = 1.0;  // [s]; stamps that fall by less are merely out of order
 
 std::string describe(const IdentifiedPayload& found) {
   std::ostringstream text;
@@ -36,7 +38,7 @@ std::string describe(const IdentifiedPayload& found) {
 class ForceTorqueNode {
  public:
   explicit ForceTorqueNode(const ForceTorqueParameters& parameters)
-      : parameters_(parameters), sensing_(parameters.sensing) {
+      : parameters_(parameters), sensing_(parameters.sensing), poses_(parameters.frames) {
     node_.setCallbackQueue(&queue_);
     service_node_.setCallbackQueue(&service_queue_);
     const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
@@ -69,25 +71,51 @@ class ForceTorqueNode {
  private:
   void onWrench(const geometry_msgs::WrenchStamped& message) {
     last_wrench_ = ros::WallTime::now();
-    if (wentBack(message.header.stamp, last_stamp_)) restart();
-    last_stamp_ = message.header.stamp;
+    const ros::Time& stamp = message.header.stamp;
+    if (wentBack(stamp, last_stamp_)) restart();
+    if (stamp <= last_stamp_) {
+      return warnOfDropped(message, "it is not newer than the one before; who else publishes?",
+                           &repeated_warning_);
+    }
+    const std::string problem = frameNameProblem(message.header.frame_id);
+    if (!problem.empty()) return warnOfDropped(message, problem, &frame_warning_);
+    last_stamp_ = stamp;
     waiting_.push_back(message);
+    watchRate(stamp.toSec());
   }
 
   void onTransforms(const tf2_msgs::TFMessage& message) {
     for (const geometry_msgs::TransformStamped& transform : message.transforms) {
-      if (transform.child_frame_id == parameters_.frames.object) {
-        if (wentBack(transform.header.stamp, last_pose_)) restart();
-        last_pose_ = transform.header.stamp;
-      }
-      transforms_.setTransform(transform, names::kTf, false);
+      if (transform.child_frame_id != parameters_.frames.object) continue;
+      if (wentBack(transform.header.stamp, last_pose_)) restart();
+      last_pose_ = transform.header.stamp;
     }
+    warnOfTransform(poses_.add(message, false));
   }
 
   void onStaticTransforms(const tf2_msgs::TFMessage& message) {
-    for (const geometry_msgs::TransformStamped& transform : message.transforms) {
-      transforms_.setTransform(transform, names::kTfStatic, true);
-    }
+    warnOfTransform(poses_.add(message, true));
+  }
+
+  void warnOfTransform(const std::string& problem) {
+    if (!problem.empty() && transform_warning_.isDue()) ROS_WARN_STREAM(problem);
+  }
+
+  void warnOfDropped(const geometry_msgs::WrenchStamped& message, const std::string& problem,
+                     Throttle* warning) {
+    if (warning->isDue())
+      ROS_WARN_STREAM("wrench at " << message.header.stamp << " s dropped: " << problem);
+  }
+
+  void watchRate(double time) {
+    rate_.add(time);
+    const double told = parameters_.sensing.noise.sample_period;
+    const double ratio = rate_.period().value_or(told) / told;
+    const bool far = ratio > kFarRate || ratio < 1.0 / kFarRate;
+    if (far && !rate_told_)
+      ROS_WARN_STREAM("wrenches come every " << *rate_.period() << " s, noise/sample_period says "
+                                             << told << " s; correct it there, or find out why");
+    rate_told_ = far;
   }
 
   static bool wentBack(const ros::Time& stamp, const ros::Time& last) {
@@ -98,8 +126,9 @@ class ForceTorqueNode {
   void restart() {
     ROS_WARN("time went back: forgetting wrenches and transforms, and taring anew");
     waiting_.clear();
-    transforms_.clear();
+    poses_.clear();
     last_stamp_ = last_pose_ = ros::Time();
+    rate_ = SampleRate();
     sensing_ = ContactSensing(parameters_.sensing);
     still_poses_.clear();
   }
@@ -121,34 +150,16 @@ class ForceTorqueNode {
 
   void processWaiting() {
     while (!waiting_.empty()) {
-      std::string problem;
-      const std::optional<WrenchSample> sample = sampleOf(waiting_.front(), &problem);
+      const geometry_msgs::WrenchStamped& first = waiting_.front();
+      const Result<WrenchSample> sample = poses_.sampleOf(first);
       if (sample) {
-        process(*sample);
-      } else if (!precedesPoses(waiting_.front())) {
+        process(*sample, first.header.stamp);
+      } else if (!poses_.begunAfter(first.header.stamp, parameters_.transform_timeout)) {
         if (!expired()) return;
-        warnOfUnknownPose(problem);
+        warnOfDropped(first, sample.reason(), &pose_warning_);
       }
       waiting_.pop_front();
     }
-  }
-
-  void warnOfUnknownPose(const std::string& problem) {
-    if (pose_warning_.isDue())
-      ROS_WARN_STREAM("wrench dropped, its pose is not known: "
-                      << problem << "; check that tf gives '" << parameters_.frames.object
-                      << "' in '" << parameters_.frames.world << "' with the wrench's time");
-  }
-
-  /// Whether a wrench came just before the first pose of all, as happens when drivers start.
-  bool precedesPoses(const geometry_msgs::WrenchStamped& message) const {
-    const std::string& world = parameters_.frames.world;
-    const std::string& object = parameters_.frames.object;
-    if (transforms_.canTransform(world, object, message.header.stamp)) return false;
-    if (!transforms_.canTransform(world, object, ros::Time())) return false;
-    const ros::Time newest = transforms_.lookupTransform(world, object, ros::Time()).header.stamp;
-    const double lead = (newest - message.header.stamp).toSec();
-    return lead > 0.0 && lead < parameters_.transform_timeout;
   }
 
   /// Whether the first wrench waited too long, or too many wait.
@@ -157,47 +168,27 @@ class ForceTorqueNode {
     return waited > parameters_.transform_timeout || waiting_.size() >= names::kStreamQueue;
   }
 
-  std::optional<Pose> lookUp(const std::string& target, const std::string& source,
-                             const ros::Time& stamp, std::string* problem) const {
-    if (target == source) return Pose::Identity();
-    if (!transforms_.canTransform(target, source, stamp, problem)) return std::nullopt;
-    const Result<Pose> pose =
-        fromTransform(transforms_.lookupTransform(target, source, stamp).transform);
-    if (!pose) *problem = pose.reason();
-    return pose ? std::optional<Pose>(*pose) : std::nullopt;
-  }
-
-  std::optional<WrenchSample> sampleOf(const geometry_msgs::WrenchStamped& message,
-                                       std::string* problem) const {
-    const ros::Time& stamp = message.header.stamp;
-    const auto pose = lookUp(parameters_.frames.world, parameters_.frames.object, stamp, problem);
-    if (!pose) return std::nullopt;
-    const auto T_object_sensor =
-        lookUp(parameters_.frames.object, message.header.frame_id, stamp, problem);
-    if (!T_object_sensor) return std::nullopt;
-    WrenchSample sample;
-    sample.time = stamp.toSec();
-    sample.wrench = transformWrench(*T_object_sensor, fromMessage(message.wrench));
-    sample.T_world_object = *pose;
-    sample.sensor_object = T_object_sensor->translation();
-    return sample;
-  }
-
-  void process(const WrenchSample& sample) {
+  void process(const WrenchSample& sample, const ros::Time& stamp) {
     if (tare_request_.take()) sensing_.startTare();
     if (identify_request_.take()) identify();
     const bool was_tared = sensing_.tared();
     const Result<ContactObservation> observation = sensing_.process(sample);
     if (!observation) {
       if (sample_warning_.isDue()) ROS_WARN_STREAM(observation.reason());
-      publishUnsure(sample);
-      return;
+      return publishUnsure(sample, stamp);
     }
     last_contact_ = observation->contact_id;
-    contact_.publish(toMessage(*observation, parameters_.frames));
-    publishCompensated(sample.time);
+    publish(*observation, stamp);
+    publishCompensated(stamp);
     reportTare(was_tared);
     still_poses_.add(sample);
+  }
+
+  /// The stamp is the wrench's own: a time in seconds is not as fine.
+  void publish(const ContactObservation& observation, const ros::Time& stamp) {
+    smore_msgs::ContactObservation message = toMessage(observation, parameters_.frames);
+    message.header.stamp = stamp;
+    contact_.publish(message);
   }
 
   /// Where a payload is found, a tare begins, since the bias was that of another payload.
@@ -211,18 +202,18 @@ class ForceTorqueNode {
   }
 
   /// Each sample is answered, so that who waits for the answer goes on; this one says nothing.
-  void publishUnsure(const WrenchSample& sample) {
+  void publishUnsure(const WrenchSample& sample, const ros::Time& stamp) {
     ContactObservation observation;
     observation.time = sample.time;
     observation.T_world_object = sample.T_world_object;
     observation.contact_id = last_contact_;
-    contact_.publish(toMessage(observation, parameters_.frames));
+    publish(observation, stamp);
   }
 
-  void publishCompensated(double time) {
+  void publishCompensated(const ros::Time& stamp) {
     if (!sensing_.tared() || compensated_.getNumSubscribers() == 0) return;
     geometry_msgs::WrenchStamped message;
-    message.header.stamp.fromSec(time);
+    message.header.stamp = stamp;
     message.header.frame_id = parameters_.frames.object;
     message.wrench = toMessage(sensing_.compensated());
     compensated_.publish(message);
@@ -251,7 +242,9 @@ class ForceTorqueNode {
   StillPoses still_poses_;
   std::string payload_found_;  ///< what was identified last; empty: nothing yet
   SensingRequest tare_request_, identify_request_;
-  tf2::BufferCore transforms_;
+  WristPoses poses_;
+  SampleRate rate_;
+  bool rate_told_ = false;
   ros::CallbackQueue queue_;
   ros::CallbackQueue service_queue_;
   ros::NodeHandle node_;
@@ -263,7 +256,9 @@ class ForceTorqueNode {
   ros::WallTime last_wrench_;
   ros::Time last_stamp_;  ///< of the newest wrench that came
   ros::Time last_pose_;   ///< of the newest pose that came
-  Throttle pose_warning_{kWarningPeriod}, sample_warning_{kWarningPeriod};
+  Throttle repeated_warning_{kWarningPeriod}, frame_warning_{kWarningPeriod};
+  Throttle pose_warning_{kWarningPeriod}, transform_warning_{kWarningPeriod};
+  Throttle sample_warning_{kWarningPeriod};
   Throttle tare_warning_{kWarningPeriod}, silence_warning_{kWarningPeriod};
   int last_contact_ = 0;
 };

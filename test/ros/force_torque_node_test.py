@@ -11,7 +11,16 @@ import rostest
 from geometry_msgs.msg import WrenchStamped
 from std_srvs.srv import Trigger
 
-from node_testing import DEADLINE, Recorder, WristSource, pose, start_node, transform, wait_until
+from node_testing import (
+    DEADLINE,
+    Recorder,
+    Warnings,
+    WristSource,
+    pose,
+    start_node,
+    transform,
+    wait_until,
+)
 from smore.msg import ContactObservation
 from tf2_msgs.msg import TFMessage
 
@@ -21,8 +30,10 @@ class ForceTorqueNode(unittest.TestCase):
     def setUpClass(cls):
         start_node("force_torque_node_test")
         cls.contact = Recorder("contact", ContactObservation)
+        cls.warnings = Warnings(rospy.resolve_name("force_torque"))
         cls.source = WristSource()
         assert cls.contact.wait_for_publisher() and cls.source.wait_for_listener()
+        assert cls.warnings.wait_for_publisher()
         cls.source.send_for(0.3)
         assert cls.wait_for_state(ContactObservation.FREE), "not tared by itself at the start"
 
@@ -52,6 +63,51 @@ class ForceTorqueNode(unittest.TestCase):
             self.assertAlmostEqual(answer.pose.position.x, 0.001 * i, 9)
             self.assertEqual(answer.header.frame_id, "object")
             self.assertEqual(answer.world_frame, "world")
+
+    def test_answers_carry_the_stamp_to_the_nanosecond(self):
+        compensated = Recorder("wrench_compensated", WrenchStamped)
+        self.assertTrue(compensated.wait_for_publisher())
+        # Of today and odd: seconds in a double are good to a quarter of a microsecond only.
+        begin = rospy.Time(1800000000, 123456789)
+        stamps = [begin + rospy.Duration(0, 2000000 * i + 37 * i * i % 49999) for i in range(1000)]
+        for stamp in stamps:
+            self.source.send(stamp=stamp)
+        self.source.time = stamps[-1].to_sec()
+        for answers in (self.contact, compensated):
+            self.assertTrue(answers.wait_for(lambda message: message.header.stamp == stamps[-1]))
+            given = [answer.header.stamp for answer in answers.messages()]
+            # A subscription that is just made may lack the first ones.
+            self.assertTrue(given == stamps[-len(given) :] and len(given) > 900, len(given))
+
+    def test_a_message_that_comes_again_is_told_once_and_answered_once(self):
+        first = rospy.Time.from_sec(self.source.time + 0.002)
+        for _ in range(500):
+            self.source.send(stamp=first, force=(0, 0, 30))
+        last = self.source.send_for(0.1)
+        self.assertTrue(self.contact.wait_for(lambda message: message.header.stamp == last))
+        answers = self.contact.messages()
+        self.assertEqual([answer.header.stamp for answer in answers].count(first), 1)
+        self.assertEqual(answers[-1].state, ContactObservation.FREE)
+        self.assertTrue(self.warnings.wait_for("it is not newer than the one before"))
+        self.assertLess(len(self.warnings.texts("it is not newer than the one before")), 5)
+
+    def test_a_frame_that_tf_cannot_know_is_named_once(self):
+        for frame, words in (("", "is empty"), ("/object", "begins with '/'")):
+            # Each kind of drop is told every few seconds.
+            def told(frame=frame, words=words):
+                self.source.send(frame=frame)
+                return self.warnings.texts(words)
+
+            self.assertTrue(wait_until(told), words)
+            self.assertLess(len(told()), 5)
+        stamp = self.source.send_for(0.1)
+        self.assertTrue(self.contact.wait_for(lambda message: message.header.stamp == stamp))
+
+    def test_a_rate_far_from_what_the_parameters_say_is_told(self):
+        for _ in range(300):
+            self.source.time += 0.006
+            self.source.send()
+        self.assertTrue(self.warnings.wait_for("noise/sample_period says 0.002 s"))
 
     def test_the_line_is_the_papers(self):
         # 10 N along -y at the point (0.3, 0, 0): the torque is r x F = (0, 0, -3).

@@ -7,6 +7,7 @@ import time
 
 import rospy
 from geometry_msgs.msg import Pose, PoseStamped, Quaternion, TransformStamped, WrenchStamped
+from rosgraph_msgs.msg import Log
 from tf2_msgs.msg import TFMessage
 
 DEADLINE = 30.0  # [s]; only failing tests wait so long
@@ -85,6 +86,30 @@ def stamped(message, frame="world"):
     return result
 
 
+class Warnings:
+    """What a node warns of."""
+
+    def __init__(self, node):
+        self._log = Recorder("/rosout", Log)
+        self._node = node
+
+    def texts(self, part):
+        """The warnings so far in which `part` occurs."""
+        return [
+            message.msg
+            for message in self._log.messages()
+            if message.name == self._node and message.level == Log.WARN and part in message.msg
+        ]
+
+    def wait_for(self, part):
+        return self._log.wait_for(
+            lambda message: message.name == self._node and part in message.msg
+        )
+
+    def wait_for_publisher(self):
+        return self._log.wait_for_publisher()
+
+
 class WristSource:
     """A generated sensor: wrenches at 500 Hz of its own time, with the poses that belong to them."""
 
@@ -98,10 +123,19 @@ class WristSource:
             lambda: min(p.get_num_connections() for p in (self.wrench, self.tf)) >= listeners
         )
 
-    def send(self, force=(0, 0, 0), torque=(0, 0, 0), at=None, frame="object", with_pose=True):
-        """One sample; returns its stamp."""
-        self.time += PERIOD
-        stamp = rospy.Time.from_sec(self.time)
+    def send(
+        self,
+        force=(0, 0, 0),
+        torque=(0, 0, 0),
+        at=None,
+        frame="object",
+        with_pose=True,
+        stamp=None,
+    ):
+        """One sample, a period after the last one or with a stamp of its own; returns its stamp."""
+        if stamp is None:
+            self.time += PERIOD
+            stamp = rospy.Time.from_sec(self.time)
         if with_pose:
             self.tf.publish(TFMessage([transform("world", "object", at or pose(), stamp)]))
         message = WrenchStamped()

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <console_bridge/console.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "smore/ros/robot_frames.h"
+#include "smore/ros/wrist_poses.h"
+
+namespace smore {
+namespace {
+
+/// Counts what tf2 says on its own.
+class CountedLines : public console_bridge::OutputHandler {
+ public:
+  CountedLines() { console_bridge::useOutputHandler(this); }
+  ~CountedLines() override { console_bridge::restorePreviousOutputHandler(); }
+  void log(const std::string& /*text*/, console_bridge::LogLevel /*level*/, const char* /*file*/,
+           int /*line*/) override {
+    ++count;
+  }
+  int count = 0;
+};
+
+class WristPosesTest : public ::testing::Test {
+ protected:
+  std::string add(const std::string& parent, const std::string& child, double time) {
+    tf2_msgs::TFMessage message;
+    message.transforms.push_back(
+        stampedTransform(parent, child, makePose(Vec3(1, 2, 3), Vec3::Zero()), ros::Time(time)));
+    return poses_.add(message, false);
+  }
+
+  Result<WrenchSample> sampleIn(const std::string& frame, double time) {
+    geometry_msgs::WrenchStamped wrench;
+    wrench.header.frame_id = frame;
+    wrench.header.stamp = ros::Time(time);
+    wrench.wrench.force.x = 5.0;
+    return poses_.sampleOf(wrench);
+  }
+
+  CountedLines lines_;
+  WristPoses poses_{FrameNames()};
+};
+
+TEST_F(WristPosesTest, giveTheWrenchInTheObjectFrameWithItsPose) {
+  EXPECT_EQ(add("world", "object", 1.0), "");
+  EXPECT_EQ(add("object", "sensor", 1.0), "");
+  const Result<WrenchSample> sample = sampleIn("sensor", 1.0);
+  ASSERT_TRUE(sample);
+  EXPECT_EQ(sample->sensor_object, Vec3(1, 2, 3));
+  EXPECT_EQ(sample->wrench.torque, Vec3(1, 2, 3).cross(Vec3(5, 0, 0)));
+  EXPECT_EQ(Vec3(sample->T_world_object.translation()), Vec3(1, 2, 3));
+}
+
+TEST_F(WristPosesTest, leaveOutWhatIsSentAgainAndSaySoInOneText) {
+  EXPECT_EQ(add("world", "object", 2.0), "");
+  for (const double time : {2.0, 1.5, 2.0}) {
+    EXPECT_NE(add("world", "object", time).find("not newer"), std::string::npos);
+  }
+  EXPECT_EQ(add("world", "object", 2.1), "");
+  EXPECT_TRUE(sampleIn("object", 2.05));
+  EXPECT_EQ(lines_.count, 0) << "tf2 must not be made to complain about each";
+}
+
+TEST_F(WristPosesTest, refuseFramesThatTfCannotKnow) {
+  for (const std::string& name : {std::string(), std::string("/object")}) {
+    EXPECT_NE(frameNameProblem(name), "");
+    EXPECT_NE(add("world", name, 1.0), "");
+    EXPECT_NE(add(name, "object", 1.0), "");
+  }
+  EXPECT_EQ(frameNameProblem("tool0_controller"), "");
+  EXPECT_EQ(lines_.count, 0);
+}
+
+TEST_F(WristPosesTest, nameTheFrameThatIsUnknown) {
+  add("world", "object", 1.0);
+  const Result<WrenchSample> sample = sampleIn("nowhere", 1.0);
+  ASSERT_FALSE(sample);
+  EXPECT_NE(sample.reason().find("'nowhere' in 'object'"), std::string::npos) << sample.reason();
+}
+
+TEST_F(WristPosesTest, forgiveAWrenchThatCameJustBeforeTheFirstPose) {
+  add("world", "object", 1.0);
+  EXPECT_TRUE(poses_.begunAfter(ros::Time(0.9), 0.5));
+  EXPECT_FALSE(poses_.begunAfter(ros::Time(0.4), 0.5));
+  EXPECT_FALSE(poses_.begunAfter(ros::Time(1.1), 0.5));
+}
+
+}  // namespace
+}  // namespace smore
