@@ -20,6 +20,10 @@ std::string above(const std::string& what, double value, double limit, const std
   return text.str();
 }
 
+std::string milliseconds(double seconds) {
+  return std::to_string(std::lround(1e3 * seconds)) + " ms";
+}
+
 // The values of `joints` among those of `names`; nothing where one is missing.
 std::optional<std::vector<double>> pick(const std::vector<std::string>& joints,
                                         const std::vector<std::string>& names,
@@ -111,7 +115,7 @@ void MotionGuard::onJoints(double now, const JointReading& reading) {
   if (!allFinite(*positions) || !allFinite(*velocities)) {
     return stop("a joint state has a value that is not finite");
   }
-  positions_ = *positions;
+  state_ = {reading.stamp, *positions, *velocities};
   for (size_t i = 0; i < joint_names_.size(); ++i) {
     const double speed = std::abs((*velocities)[i]);
     if (speed > parameters_.max_joint_speed) {
@@ -120,18 +124,37 @@ void MotionGuard::onJoints(double now, const JointReading& reading) {
   }
 }
 
-bool MotionGuard::allows(double now, const JointTrajectory& trajectory) {
-  if (trajectory.points.empty()) return true;
+std::optional<JointTrajectory> MotionGuard::admit(double now, const JointTrajectory& trajectory) {
   check(now);
-  if (!fault_.empty()) return false;
+  if (!fault_.empty()) return std::nullopt;
   const std::string problem = problemOf(trajectory);
   if (!problem.empty()) stop(problem);
-  return problem.empty();
+  if (!problem.empty()) return std::nullopt;
+  onSignOfLife(now);
+  JointTrajectory motion = *ordered(trajectory, joint_names_);
+  const std::vector<double> still(joint_names_.size(), 0.0);
+  if (motion.points.empty() || motion.points.front().time > 0.0) {
+    motion.points.insert(motion.points.begin(), {0.0, state_.positions, still});
+  }
+  return motion;
 }
 
 void MotionGuard::check(double now) {
   const std::string problem = silence(now);
   if (!problem.empty()) stop(problem);
+}
+
+void MotionGuard::checkMotion(double now, const JointTrajectoryPoint& expected) {
+  check(now);
+  const std::string problem = problemOfMotion(now, expected);
+  if (!problem.empty()) stop(problem);
+}
+
+std::optional<JointTrajectoryPoint> MotionGuard::joints(double now) const {
+  if (!joints_beat_.stamp || now - joints_beat_.arrival > parameters_.max_silence) {
+    return std::nullopt;
+  }
+  return state_;
 }
 
 void MotionGuard::stop(const std::string& reason) {
@@ -149,9 +172,8 @@ std::string MotionGuard::silence(double now) const {
   const auto silent = [&](const Heartbeat& stream) {
     return stream.stamp && now - stream.arrival > parameters_.max_silence;
   };
-  const std::string suffix = " for over " +
-                             std::to_string(std::lround(1e3 * parameters_.max_silence)) +
-                             " ms; are driver and network up?";
+  const std::string suffix =
+      " for over " + milliseconds(parameters_.max_silence) + "; are driver and network up?";
   if (silent(wrench_beat_)) return "no new wrench" + suffix;
   if (silent(joints_beat_)) return "no new joint states" + suffix;
   return "";
@@ -159,7 +181,8 @@ std::string MotionGuard::silence(double now) const {
 
 std::string MotionGuard::problemOf(const JointTrajectory& trajectory) const {
   if (!wrench_beat_.stamp) return "a motion was commanded before any wrench came";
-  if (positions_.empty()) return "a motion was commanded before any joint states came";
+  if (state_.positions.empty()) return "a motion was commanded before any joint states came";
+  if (!contact_beat_.stamp) return "a motion was commanded before any contact observation came";
   const auto motion = ordered(trajectory, joint_names_);
   if (!motion) return "the commanded trajectory is not one of all of the robot's joints";
   for (const JointTrajectoryPoint& point : motion->points) {
@@ -171,13 +194,13 @@ std::string MotionGuard::problemOf(const JointTrajectory& trajectory) const {
 }
 
 std::string MotionGuard::problemOfPoints(const JointTrajectory& ordered) const {
-  JointTrajectoryPoint last{0.0, positions_, {}};
+  JointTrajectoryPoint last{0.0, state_.positions, {}};
   for (size_t place = 0; place < ordered.points.size(); ++place) {
     const JointTrajectoryPoint& point = ordered.points[place];
     const bool is_start = place == 0 && point.time == 0.0;
     if (!is_start && point.time <= last.time) return "the commanded trajectory's times do not rise";
     for (size_t i = 0; i < joint_names_.size(); ++i) {
-      const double away = std::abs(point.positions[i] - positions_[i]);
+      const double away = std::abs(point.positions[i] - state_.positions[i]);
       if (is_start && away > parameters_.start_tolerance) {
         return above("the distance of " + joint_names_[i] + " from the commanded start", away,
                      parameters_.start_tolerance, "rad");
@@ -189,6 +212,32 @@ std::string MotionGuard::problemOfPoints(const JointTrajectory& ordered) const {
       }
     }
     last = point;
+  }
+  const auto moves = [](double velocity) { return velocity != 0.0; };
+  if (std::any_of(last.velocities.begin(), last.velocities.end(), moves)) {
+    return "the commanded trajectory does not end at rest";
+  }
+  return "";
+}
+
+std::string MotionGuard::problemOfMotion(double now, const JointTrajectoryPoint& expected) const {
+  const double late = std::max(now - contact_beat_.arrival, wrench_beat_.stamp.value_or(0.0) -
+                                                                contact_beat_.stamp.value_or(0.0));
+  if (late > parameters_.max_silence) {
+    return "the contact observations are late by over " + milliseconds(parameters_.max_silence) +
+           "; is the force_torque node up, and does it get transforms?";
+  }
+  if (now - commander_ > parameters_.max_unattended) {
+    return "no sign of life of who commanded the motion for over " +
+           milliseconds(parameters_.max_unattended) + "; is the retrieval node up?";
+  }
+  for (size_t i = 0; i < joint_names_.size(); ++i) {
+    const double away = std::abs(state_.positions[i] - expected.positions[i]);
+    if (away > parameters_.path_tolerance) {
+      return above("the distance of " + joint_names_[i] + " from its motion", away,
+                   parameters_.path_tolerance, "rad") +
+             "; does the robot follow commands?";
+    }
   }
   return "";
 }

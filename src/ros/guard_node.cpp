@@ -1,24 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stands between the retrieval and the robot: passes commands on while nothing is wrong.
+// Stands between the retrieval and the robot: hands it motions piece by piece while nothing is
+// wrong, and stops it.
 #include <geometry_msgs/WrenchStamped.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <std_msgs/Empty.h>
+#include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "smore/contact/contact_reflex.h"
 #include "smore/contact/motion_guard.h"
 #include "smore/kinematics/joint_commands.h"
+#include "smore/kinematics/motion_stream.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
+#include "smore/ros/shutdown_request.h"
 
 namespace smore {
 namespace {
 
 constexpr double kChecksPerSilence = 10.0;  // so a silence is seen at most a tenth late
+constexpr double kAtRest = 1e-3;            // joints that stand are slower than this [rad/s]
+// A robot that was told to stop when the node ends stands after this [s of wall time], or it does
+// not obey.
+constexpr double kLastStop = 0.3;
 
-MotionGuardParameters readGuardParameters(ParameterReader* reader) {
+struct GuardParameters {
+  MotionGuardParameters guard;
+  HorizonParameters horizon;
+};
+
+GuardParameters readGuardParameters(ParameterReader* reader) {
   constexpr double kMost = 1000.0;
-  MotionGuardParameters parameters;
+  GuardParameters all;
+  MotionGuardParameters& parameters = all.guard;
   reader->number("max_force", &parameters.max_force, {1.0, kMost});
   reader->number("max_torque", &parameters.max_torque, {0.1, kMost});
   reader->number("max_silence", &parameters.max_silence, {0.005, 10.0});
@@ -26,7 +45,10 @@ MotionGuardParameters readGuardParameters(ParameterReader* reader) {
   reader->number("start_tolerance", &parameters.start_tolerance, {0.001, 1.0});
   reader->number("force_margin", &parameters.force_margin, {0.0, kMost});
   reader->number("torque_margin", &parameters.torque_margin, {0.0, kMost});
-  return parameters;
+  reader->number("max_unattended", &parameters.max_unattended, {0.02, 10.0});
+  reader->number("path_tolerance", &parameters.path_tolerance, {0.001, 1.0});
+  reader->number("stop_deceleration", &all.horizon.deceleration, {0.1, kMost});
+  return all;
 }
 
 /// Wall time that no setting of the clock moves [s]: a driver's silence is told by it, not by
@@ -36,9 +58,12 @@ double now() { return ros::SteadyTime::now().toSec(); }
 /// Everything happens in one thread, between two checks for silence.
 class GuardNode {
  public:
-  GuardNode(const MotionGuardParameters& parameters, std::vector<std::string> joint_names)
-      : guard_(parameters, std::move(joint_names)),
-        period_(parameters.max_silence / kChecksPerSilence) {
+  GuardNode(const GuardParameters& parameters, std::vector<std::string> joint_names)
+      : guard_(parameters.guard, joint_names),
+        stream_(parameters.horizon),
+        deceleration_(parameters.horizon.deceleration),
+        joint_names_(std::move(joint_names)),
+        period_(parameters.guard.max_silence / kChecksPerSilence) {
     node_.setCallbackQueue(&queue_);
     private_node_.setCallbackQueue(&queue_);
     constexpr bool kLatched = true;
@@ -47,26 +72,38 @@ class GuardNode {
     fault_ =
         private_node_.advertise<std_msgs::String>(names::kFault, names::kLatestQueue, kLatched);
     publishFault();
-    const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
-    wrench_ =
-        node_.subscribe(names::kWrench, names::kStreamQueue, &GuardNode::onWrench, this, hints);
-    joints_ = node_.subscribe(names::kJointStates, names::kStreamQueue, &GuardNode::onJoints, this,
-                              hints);
-    command_ =
-        node_.subscribe(names::kCommand, names::kLatestQueue, &GuardNode::onCommand, this, hints);
+    subscribe();
     stop_ = private_node_.advertiseService(names::kStop, &GuardNode::onStop, this);
     clear_ = private_node_.advertiseService(names::kClear, &GuardNode::onClear, this);
   }
 
   void run() {
-    while (ros::ok()) {
+    while (!shutdown_.pending()) {
       queue_.callAvailable(period_);
+      if (stream_.active()) guard_.checkMotion(now(), stream_.expected());
       guard_.check(now());
       reactToFault();
     }
+    endAtRest();
   }
 
  private:
+  void subscribe() {
+    const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
+    wrench_ =
+        node_.subscribe(names::kWrench, names::kStreamQueue, &GuardNode::onWrench, this, hints);
+    joints_ = node_.subscribe(names::kJointStates, names::kStreamQueue, &GuardNode::onJoints, this,
+                              hints);
+    contact_ =
+        node_.subscribe(names::kContact, names::kStreamQueue, &GuardNode::onContact, this, hints);
+    command_ =
+        node_.subscribe(names::kCommand, names::kLatestQueue, &GuardNode::onCommand, this, hints);
+    sign_of_life_ = node_.subscribe(names::kSignOfLife, names::kLatestQueue,
+                                    &GuardNode::onSignOfLife, this, hints);
+    scaling_topic_ = node_.subscribe(names::kSpeedScaling, names::kLatestQueue,
+                                     &GuardNode::onScaling, this, hints);
+  }
+
   void onWrench(const geometry_msgs::WrenchStamped& message) {
     guard_.onWrench(now(), message.header.stamp.toSec(), fromMessage(message.wrench));
     reactToFault();
@@ -76,17 +113,61 @@ class GuardNode {
     guard_.onJoints(
         now(), {message.header.stamp.toSec(), message.name, message.position, message.velocity});
     reactToFault();
+    const auto joints = guard_.joints(now());
+    if (!stream_.active() || !joints) return;
+    const auto horizon = stream_.advance(joints->time, scaling_);
+    if (horizon) guarded_.publish(toMessage(*horizon));
+  }
+
+  void onContact(const smore_msgs::ContactObservation& message) {
+    guard_.onContact(now(), message.header.stamp.toSec());
+    const bool touching = message.state == smore_msgs::ContactObservation::CONTACT;
+    if (reflex_.onObservation(touching, message.contact_id)) halt();
+  }
+
+  void onSignOfLife(const std_msgs::Empty& /*message*/) { guard_.onSignOfLife(now()); }
+
+  void onScaling(const std_msgs::Float64& message) {
+    if (std::isfinite(message.data)) scaling_ = std::clamp(message.data, 0.0, 1.0);
   }
 
   void onCommand(const trajectory_msgs::JointTrajectory& message) {
-    const bool allowed = guard_.allows(now(), fromMessage(message));
+    if (message.points.empty()) return halt();
+    const auto motion = guard_.admit(now(), fromMessage(message));
     reactToFault();
-    if (allowed) {
-      guarded_.publish(message);
-    } else {
+    if (!motion) {
       ROS_ERROR_STREAM("command refused: " << guard_.fault() << "; call '" << clear_.getService()
                                            << "' when the cause is gone");
+      return;
     }
+    reflex_.onMotion();
+    stream_.begin(*motion);
+  }
+
+  /// Brakes from where the joints are now. Where that is not known, a motion ends with the last
+  /// horizon that the robot got; without one the robot is told to stop as it can.
+  void halt() {
+    const auto joints = guard_.joints(now());
+    if (joints) {
+      guarded_.publish(toMessage(brake(joint_names_, *joints, deceleration_, scaling_)));
+    } else if (!stream_.active()) {
+      guarded_.publish(trajectory_msgs::JointTrajectory());
+    }
+    stream_.end();
+  }
+
+  void endAtRest() {
+    halt();
+    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kLastStop);
+    while (!stands() && ros::ok() && ros::WallTime::now() < deadline) {
+      queue_.callAvailable(period_);
+    }
+  }
+
+  bool stands() const {
+    const auto joints = guard_.joints(now());
+    return joints && std::all_of(joints->velocities.begin(), joints->velocities.end(),
+                                 [](double velocity) { return std::abs(velocity) < kAtRest; });
   }
 
   bool onStop(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
@@ -109,7 +190,7 @@ class GuardNode {
   void reactToFault() {
     if (guard_.fault() == published_) return;
     if (!guard_.fault().empty()) {
-      guarded_.publish(trajectory_msgs::JointTrajectory());
+      halt();
       ROS_ERROR_STREAM("stopped: " << guard_.fault());
     }
     publishFault();
@@ -122,20 +203,26 @@ class GuardNode {
     fault_.publish(message);
   }
 
+  ShutdownRequest shutdown_;
   MotionGuard guard_;
+  ContactReflex reflex_;
+  MotionStream stream_;
+  double deceleration_;   ///< of a brake [rad/s^2]
+  double scaling_ = 1.0;  ///< share of full speed at which the robot runs
+  std::vector<std::string> joint_names_;
   ros::WallDuration period_;  ///< between two checks for silence
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
   ros::Publisher guarded_, fault_;
-  ros::Subscriber wrench_, joints_, command_;
+  ros::Subscriber wrench_, joints_, contact_, command_, sign_of_life_, scaling_topic_;
   ros::ServiceServer stop_, clear_;
   std::string published_;
 };
 
 void runGuard() {
   ParameterReader reader(privateParameters(), ros::this_node::getName());
-  const MotionGuardParameters parameters = readGuardParameters(&reader);
+  const GuardParameters parameters = readGuardParameters(&reader);
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
   reader.finish();

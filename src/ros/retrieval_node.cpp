@@ -15,9 +15,13 @@
 #include "smore/ros/remote_planner.h"
 #include "smore/ros/retrieval_summary.h"
 #include "smore/ros/ros_robot.h"
+#include "smore/ros/shutdown_request.h"
 
 namespace smore {
 namespace {
+
+constexpr double kLookPeriod = 0.01;  // between two looks whether the node is to end [s]
+constexpr double kLastWords = 0.5;    // that a retrieval has to end when the node ends [s]
 
 struct RetrievalNodeParameters {
   FrameNames frames;
@@ -67,15 +71,30 @@ class RetrievalNode {
     server_.start();
   }
 
-  /// One retrieval to the scenario's goal; whether it succeeded.
+  /// Takes goals until the node is to end.
+  void run() {
+    while (!shutdown_.pending()) ros::WallDuration(kLookPeriod).sleep();
+    endAtRest();
+  }
+
+  /// One retrieval to the scenario's goal; whether it succeeded, or was ended from outside.
   bool runOnce() {
     constexpr bool kOwnThread = true;
     actionlib::SimpleActionClient<smore_msgs::RetrieveAction> client(node_, names::kRetrieve,
                                                                      kOwnThread);
-    client.waitForServer();
+    while (!client.isServerConnected()) {
+      if (shutdown_.pending()) return true;
+      ros::WallDuration(kLookPeriod).sleep();
+    }
     client.sendGoal(smore_msgs::RetrieveGoal());
-    client.waitForResult();
-    return ros::ok() && client.getResult()->success != 0;
+    while (!client.getState().isDone()) {
+      if (shutdown_.pending()) {
+        endAtRest();
+        return true;
+      }
+      ros::WallDuration(kLookPeriod).sleep();
+    }
+    return client.getResult()->success != 0;
   }
 
  private:
@@ -86,6 +105,15 @@ class RetrievalNode {
     response.success = static_cast<unsigned char>(true);
     response.message = "the robot was told to stop";
     return true;
+  }
+
+  /// The stop goes out before ROS ends, and the retrieval has a moment to say how it ended.
+  void endAtRest() {
+    stopMotion();
+    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kLastWords);
+    while (server_.isActive() && ros::ok() && ros::WallTime::now() < deadline) {
+      ros::WallDuration(kLookPeriod).sleep();
+    }
   }
 
   void stopMotion() {
@@ -203,6 +231,7 @@ class RetrievalNode {
   ros::ServiceClient maps_;
   ros::ServiceServer stop_;
   std::atomic<bool> stop_requested_{false};
+  ShutdownRequest shutdown_;
   Server server_;
 };
 
@@ -219,8 +248,8 @@ void runRetrieval() {
   spinner.start();
   RetrievalNode node(parameters, *scenario);
   if (!parameters.auto_start) {
-    ros::waitForShutdown();
-  } else if (!node.runOnce() && ros::ok()) {
+    node.run();
+  } else if (!node.runOnce()) {
     throw std::runtime_error("the retrieval did not succeed");
   }
 }

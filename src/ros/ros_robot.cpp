@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/ros/ros_robot.h"
 
+#include <std_msgs/Empty.h>
 #include <std_srvs/Trigger.h>
 
 #include <limits>
@@ -37,6 +38,7 @@ RosRobot::RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCo
   node_.setCallbackQueue(&queue_);
   command_ =
       node_.advertise<trajectory_msgs::JointTrajectory>(names::kCommand, names::kLatestQueue);
+  sign_of_life_ = node_.advertise<std_msgs::Empty>(names::kSignOfLife, names::kLatestQueue);
   const boost::function<void(const smore_msgs::ContactObservation&)> on_contact =
       [this](const smore_msgs::ContactObservation& message) {
         const Result<ContactObservation> observation = fromMessage(message);
@@ -138,6 +140,7 @@ MotionResult RosRobot::goBack(const Path& back) {
     const Step step = advance(&motion);
     trail_.unwind(motion.last.T_world_object);
     if (step == Step::kFault) return endStopped(motion);
+    if (step == Step::kStalled) halt();
     if (step == Step::kArrived || step == Step::kStalled) return end(motion, MotionEnd::kReached);
     motion.known_contacts = motion.last.contact_id;
   }
@@ -213,6 +216,7 @@ RosRobot::Step RosRobot::advance(Motion* motion) {
     return Step::kFault;
   }
   motion->last = *observation;
+  sign_of_life_.publish(std_msgs::Empty());
   const MotionStage stage = motion->progress.update(observation->time, observation->T_world_object);
   if (observation->contact_id != motion->known_contacts) return Step::kContact;
   if (stage == MotionStage::kArrived) return Step::kArrived;

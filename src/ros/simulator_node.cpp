@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "simulated_driver.h"
+#include "smore/contact/contact_reflex.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/scene_markers.h"
@@ -32,6 +33,8 @@ struct SimulatorParameters {
   int lag_samples = 2;                 ///< samples that may run ahead of the listener
   double listener_timeout = 1.0;       ///< wall time to wait for it [s]
   double clock_period = 0.01;          ///< simulated time between clock messages [s]
+  bool reflexes =
+      true;  ///< stops at a new contact and when its commander is gone; else a guard does
 };
 
 SimulatorParameters readParameters(ParameterReader* reader) {
@@ -44,6 +47,7 @@ SimulatorParameters readParameters(ParameterReader* reader) {
   reader->integer("lag_samples", &parameters.lag_samples, 0, 100);
   reader->number("listener_timeout", &parameters.listener_timeout, {0.01, 60.0});
   reader->number("clock_period", &parameters.clock_period, {0.002, 1.0});
+  reader->boolean("reflexes", &parameters.reflexes);
   return parameters;
 }
 
@@ -76,7 +80,9 @@ class SimulatorNode {
  private:
   void advertise(ros::NodeHandle* private_node, const Scenario& scenario) {
     wrench_ = node_.advertise<geometry_msgs::WrenchStamped>(names::kWrench, names::kStreamQueue);
-    joints_ = node_.advertise<sensor_msgs::JointState>(names::kJointStates, names::kStreamQueue);
+    joints_ = node_.advertise<sensor_msgs::JointState>(
+        names::kJointStates, names::kStreamQueue, ros::SubscriberStatusCallback(),
+        [this](const auto& listener) { onJointListenerGone(listener.getSubscriberName()); });
     tf_ = node_.advertise<tf2_msgs::TFMessage>(names::kTf, names::kStreamQueue);
     tf_static_ = node_.advertise<tf2_msgs::TFMessage>(names::kTfStatic, names::kLatestQueue, true);
     clock_ = node_.advertise<rosgraph_msgs::Clock>(names::kClock, names::kStreamQueue);
@@ -101,8 +107,10 @@ class SimulatorNode {
     tf_static_.publish(fixed);
   }
 
-  void onCommand(const trajectory_msgs::JointTrajectory& message) {
-    leaving_ = touching_;
+  void onCommand(const ros::MessageEvent<trajectory_msgs::JointTrajectory const>& event) {
+    const trajectory_msgs::JointTrajectory& message = *event.getMessage();
+    commander_ = event.getPublisherName();
+    reflex_.onMotion();
     if (message.points.empty()) return robot_->stop();
     try {
       const std::optional<Failure> refused = robot_->followJoints(fromMessage(message));
@@ -112,16 +120,20 @@ class SimulatorNode {
     }
   }
 
-  /// The robot's reflex: a new contact ends the motion, whatever the planner is doing. A motion
-  /// that was commanded in contact leads away from it, and may rub on its way.
+  /// Who commands a motion listens to where it leads; with its connection the motion ends.
+  void onJointListenerGone(const std::string& name) {
+    if (!parameters_.reflexes || name != commander_ || !robot_->moving()) return;
+    robot_->stop();
+    ROS_ERROR_STREAM("stopped: '" << name << "', who commanded the motion, is gone");
+  }
+
   void onContact(const smore_msgs::ContactObservation& message) {
     acknowledged_ = std::max(acknowledged_, message.header.stamp.toSec());
     if (!lock_step_) ROS_INFO("the listener follows: lock-step");
     lock_step_ = true;
-    touching_ = message.state == smore_msgs::ContactObservation::CONTACT;
-    const bool fresh = touching_ && message.contact_id != last_contact_;
-    if (fresh && !leaving_ && robot_->moving()) robot_->stop();
-    last_contact_ = message.contact_id;
+    const bool touching = message.state == smore_msgs::ContactObservation::CONTACT;
+    const bool ends = reflex_.onObservation(touching, message.contact_id);
+    if (ends && parameters_.reflexes && robot_->moving()) robot_->stop();
   }
 
   bool onReset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
@@ -143,6 +155,10 @@ class SimulatorNode {
     while (ros::ok() && lock_step_ && listenerIsBehind()) {
       const ros::WallDuration left = deadline - ros::WallTime::now();
       if (left.toSec() <= 0.0) {
+        if (parameters_.reflexes && robot_->moving()) {
+          ROS_ERROR("stopped: the listener does not answer");
+          robot_->stop();
+        }
         lock_step_ = false;
         begin_ = ros::WallTime::now();
         return;
@@ -252,9 +268,8 @@ class SimulatorNode {
   double acknowledged_ = 0.0;  ///< newest stamp among the listener's observations [s]
   bool lock_step_ = false;     ///< from the listener's first observation on
   ros::WallTime begin_ = ros::WallTime::now();
-  std::uint32_t last_contact_ = 0;
-  bool touching_ = false;  ///< by the newest observation
-  bool leaving_ = false;   ///< whether it touched when the present motion was commanded
+  ContactReflex reflex_;
+  std::string commander_;  ///< name of the node that sent the newest command
   Throttle warning_{kWarningPeriod};
   ros::WallTime next_step_;
   ros::Time last_clock_;

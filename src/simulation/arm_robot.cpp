@@ -48,7 +48,11 @@ std::optional<Failure> ArmRobot::follow(const Path& path) {
 std::optional<Failure> ArmRobot::followJoints(const JointTrajectory& trajectory) {
   if (load_.fingersMove()) return Failure{"the gripper is moving; wait until it has ended"};
   JointMotion next = joints_;
-  next.follow(trajectory, jointPositions());
+  if (trajectory.points.empty()) {
+    next.stop(jointPositions());
+  } else {
+    next.follow(trajectory);
+  }
   if (auto failure = checkLimits(trajectory)) return failure;
   joints_ = std::move(next);
   fault_.reset();

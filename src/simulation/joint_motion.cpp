@@ -63,14 +63,11 @@ std::vector<JointTrajectoryPoint> JointMotion::ordered(const JointTrajectory& tr
   return points;
 }
 
-void JointMotion::follow(const JointTrajectory& trajectory, const std::vector<double>& now) {
-  if (trajectory.points.empty()) return stop(now);
+void JointMotion::follow(const JointTrajectory& trajectory) {
+  if (trajectory.points.empty()) refuse("it has no points");
   std::vector<JointTrajectoryPoint> points = ordered(trajectory);
-  if (points.front().time > 0.0) {
-    points.insert(points.begin(), {0.0, now, std::vector<double>(now.size(), 0.0)});
-  }
+  if (points.front().time > 0.0) points.insert(points.begin(), {0.0, positions_, velocities_});
   points_ = std::move(points);
-  next_ = 1;
   time_ = 0.0;
   end_ = points_.back().time;
   advance(0.0);
@@ -85,24 +82,9 @@ void JointMotion::stop(const std::vector<double>& now) {
 void JointMotion::advance(double step) {
   if (!moving()) return;
   time_ += step;
-  if (time_ >= end_) return stop(std::vector<double>(points_.back().positions));
-  while (points_[next_].time <= time_) ++next_;
-  interpolate(points_[next_ - 1], points_[next_]);
-}
-
-void JointMotion::interpolate(const JointTrajectoryPoint& from, const JointTrajectoryPoint& to) {
-  const double h = to.time - from.time;
-  const double s = (time_ - from.time) / h;
-  const bool straight = from.velocities.empty() || to.velocities.empty();
-  for (size_t i = 0; i < names_.size(); ++i) {
-    const double way = to.positions[i] - from.positions[i];
-    const double first = straight ? way : h * from.velocities[i];
-    const double last = straight ? way : h * to.velocities[i];
-    const double square = 3.0 * way - 2.0 * first - last;
-    const double cube = first + last - 2.0 * way;
-    positions_[i] = from.positions[i] + s * (first + s * (square + s * cube));
-    velocities_[i] = (first + s * (2.0 * square + 3.0 * s * cube)) / h;
-  }
+  const JointTrajectoryPoint state = stateAt(points_, time_);
+  positions_ = state.positions;
+  velocities_ = state.velocities;
 }
 
 }  // namespace smore

@@ -10,11 +10,12 @@ import rostest
 from geometry_msgs.msg import WrenchStamped
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import JointState
-from std_msgs.msg import String
+from std_msgs.msg import Empty, Float64, String
 from std_srvs.srv import Trigger
 from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
 from node_testing import DEADLINE, Recorder, start_node, wait_until
+from smore.msg import ContactObservation
 
 JOINTS = [
     "shoulder_pan_joint",
@@ -28,34 +29,54 @@ PERIOD = 0.01  # of both streams [s]
 
 
 class Driver:
-    """A robot at rest that says so, until it is told to be silent or to feel something."""
+    """A robot at rest that goes where it is told at once, until it is told to be silent or to feel
+    something; with the listener that goes with it."""
 
     def __init__(self):
         self.force = 0.0  # [N]
+        self.contact_id = 0
         self.felt = 0  # wrenches that the guard was there to receive
-        self.wrenches = self.joints = True
+        self.wrenches = self.joints = self.contacts = self.attended = True
+        self.position = 0.0
         self._wrench = rospy.Publisher("wrench", WrenchStamped, queue_size=1, tcp_nodelay=True)
         self._joints = rospy.Publisher("joint_states", JointState, queue_size=1, tcp_nodelay=True)
+        self._contact = rospy.Publisher("contact", ContactObservation, queue_size=1)
+        self._life = rospy.Publisher("command_attended", Empty, queue_size=1)
+        self._command = rospy.Subscriber("guarded_command", JointTrajectory, self._follow)
         self._end = threading.Event()
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
 
+    def _follow(self, message):
+        if message.points:
+            self.position = message.points[0].positions[0]
+
     def _run(self):
         while not self._end.wait(PERIOD):
+            now = rospy.Time.now()
             if self.wrenches:
                 wrench = WrenchStamped()
-                wrench.header.stamp = rospy.Time.now()
+                wrench.header.stamp = now
                 wrench.wrench.force.z = self.force
                 self._wrench.publish(wrench)
                 self.felt += self._wrench.get_num_connections() > 0
             if self.joints:
-                joints = JointState(name=JOINTS, position=[0.0] * 6, velocity=[0.0] * 6)
-                joints.header.stamp = rospy.Time.now()
+                joints = JointState(name=JOINTS, position=[self.position] * 6, velocity=[0.0] * 6)
+                joints.header.stamp = now
                 self._joints.publish(joints)
+            if self.contacts:
+                contact = ContactObservation(contact_id=self.contact_id)
+                contact.header.stamp = now
+                touches = self.contact_id > 0
+                contact.state = ContactObservation.CONTACT if touches else ContactObservation.FREE
+                self._contact.publish(contact)
+            if self.attended:
+                self._life.publish(Empty())
 
     def close(self):
         self._end.set()
         self._thread.join()
+        self._command.unregister()
 
 
 def motion(start=0.0):
@@ -72,6 +93,15 @@ def motion(start=0.0):
     return message
 
 
+def is_stop(message):
+    """A brake is one point; a stop without points is for joints of which nothing is known."""
+    return len(message.points) <= 1
+
+
+def is_horizon(message):
+    return len(message.points) > 1
+
+
 class GuardNode(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -80,6 +110,7 @@ class GuardNode(unittest.TestCase):
         cls.faults = Recorder("guard/fault", String)
         cls.log = Recorder("/rosout", Log)
         cls.command = rospy.Publisher("command", JointTrajectory, queue_size=10, tcp_nodelay=True)
+        cls.scaling = rospy.Publisher("speed_scaling_factor", Float64, queue_size=1, latch=True)
         for name in ("guard/clear", "guard/stop"):
             rospy.wait_for_service(name, DEADLINE)
         cls.clear = rospy.ServiceProxy("guard/clear", Trigger)
@@ -93,32 +124,79 @@ class GuardNode(unittest.TestCase):
         # The force of the test before would count as the load that a clearing begins under.
         self.assertTrue(wait_until(lambda: self.driver.felt > 20))
         self.assertTrue(wait_until(lambda: self.clear().success), "a fault of a healthy robot")
-        # The guard knows where the joints are as soon as it lets a motion pass.
+        # The guard knows all streams as soon as it lets a motion pass.
         self.assertTrue(wait_until(self.moves))
+        self.end_motion()
+
+    def end_motion(self):
+        self.command.publish(JointTrajectory())
+        self.assertTrue(self.passed.wait_for(is_stop), "no stop")
         self.passed.clear()
         self.faults.clear()
 
     def moves(self):
+        """Whether a motion begins; it goes on."""
         self.clear()
         self.passed.clear()
-        self.command.publish(motion())
-        return self.passed.wait_for(lambda message: message.points, 1.0) is not None
+        self.command.publish(motion(self.driver.position))
+        return self.passed.wait_for(is_horizon, 1.0) is not None
 
     def stopped_because(self, words):
-        self.assertTrue(self.passed.wait_for(lambda message: not message.points), "no stop")
         self.assertTrue(self.faults.wait_for(lambda message: words in message.data), words)
         self.passed.clear()
         self.log.clear()
-        self.command.publish(motion())
+        self.command.publish(motion(self.driver.position))
         self.assertTrue(self.log.wait_for(lambda message: "command refused" in message.msg))
         self.command.publish(JointTrajectory())
         # What passes keeps its order: nothing but the stop came through.
-        self.assertTrue(self.passed.wait_for(lambda message: not message.points))
-        self.assertFalse([message for message in self.passed.messages() if message.points])
+        self.assertTrue(self.passed.wait_for(is_stop))
+        self.assertFalse([m for m in self.passed.messages() if is_horizon(m)])
 
-    def test_a_proper_motion_passes_as_it_is(self):
-        self.command.publish(motion())
-        self.assertEqual(self.passed.wait_for(lambda message: True).points, motion().points)
+    def test_a_motion_passes_in_short_pieces_that_end_at_rest(self):
+        begin = self.driver.position
+        self.assertTrue(self.moves())
+        there = lambda message: message.points[-1].positions[0] > begin + 0.2
+        self.assertTrue(self.passed.wait_for(there), "the motion does not go on")
+        for piece in self.passed.messages():
+            self.assertEqual(piece.joint_names, JOINTS)
+            self.assertGreater(piece.points[0].time_from_start.to_sec(), 0.0)
+            self.assertLessEqual(piece.points[-1].time_from_start.to_sec(), 0.25)
+            self.assertEqual(list(piece.points[-1].velocities), [0.0] * 6)
+        self.end_motion()
+
+    def test_a_new_contact_stops_the_motion_and_is_no_fault(self):
+        self.assertTrue(self.moves())
+        self.driver.contact_id = 1
+        self.assertTrue(self.passed.wait_for(is_stop), "no stop")
+        self.passed.clear()
+        self.assertIsNone(self.passed.wait_for(is_horizon, 0.2), "it goes on")
+        self.assertFalse([m for m in self.faults.messages() if m.data])
+        self.assertTrue(self.moves(), "no way out of the contact")
+        self.end_motion()
+
+    def test_a_motion_that_nobody_attends_to_is_stopped(self):
+        self.assertTrue(self.moves())
+        self.driver.attended = False
+        self.stopped_because("no sign of life")
+
+    def test_a_motion_without_contact_observations_is_stopped(self):
+        self.assertTrue(self.moves())
+        self.driver.contacts = False
+        self.stopped_because("the contact observations are late")
+
+    def test_a_paused_robot_gets_nothing_and_goes_on_later(self):
+        self.assertTrue(self.moves())
+        self.scaling.publish(0.0)
+        self.addCleanup(self.scaling.publish, 1.0)
+        self.assertTrue(wait_until(lambda: not self.pieces_in(0.2)), "it goes on")
+        self.scaling.publish(1.0)
+        self.passed.clear()
+        self.assertTrue(self.passed.wait_for(is_horizon), "it does not go on")
+        self.end_motion()
+
+    def pieces_in(self, duration):
+        self.passed.clear()
+        return self.passed.wait_for(is_horizon, duration) is not None
 
     def test_a_force_above_the_ceiling_stops_until_it_is_cleared(self):
         self.driver.force = 45.0
@@ -127,14 +205,14 @@ class GuardNode(unittest.TestCase):
         self.assertTrue(self.clear().success)
         self.assertTrue(self.faults.wait_for(lambda message: message.data == ""))
         self.assertTrue(self.moves())
+        self.end_motion()
 
     def test_after_a_clearing_it_may_retreat_under_load(self):
         self.driver.force = 45.0
         self.stopped_because("the force is 45 N")
         self.assertTrue(self.clear().success)
-        self.passed.clear()
-        self.command.publish(motion())
-        self.assertTrue(self.passed.wait_for(lambda message: message.points), "no retreat")
+        self.assertTrue(self.moves(), "no retreat")
+        self.end_motion()
 
     def test_silence_of_the_wrench_stops_and_is_not_cleared_while_it_lasts(self):
         self.driver.wrenches = False
@@ -150,7 +228,7 @@ class GuardNode(unittest.TestCase):
         self.stopped_because("no new joint states")
 
     def test_a_motion_from_where_the_arm_is_not_stops(self):
-        self.command.publish(motion(start=0.5))
+        self.command.publish(motion(start=self.driver.position + 0.5))
         self.stopped_because("from the commanded start")
 
     def test_the_user_can_stop(self):

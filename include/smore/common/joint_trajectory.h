@@ -22,4 +22,8 @@ struct JointTrajectory {
   std::vector<JointTrajectoryPoint> points;
 };
 
+/// Where a motion is at `time` [s] since its start, with velocities: at rest at its first point
+/// before that, at rest at its last from that on. `points`: at least one, at rising times.
+JointTrajectoryPoint stateAt(const std::vector<JointTrajectoryPoint>& points, double time);
+
 }  // namespace smore

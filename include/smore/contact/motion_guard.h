@@ -14,8 +14,10 @@ struct MotionGuardParameters {
   double max_force = 40.0;       ///< of a raw sample, weight and bias included [N]
   double max_torque = 8.0;       ///< the same, about the sensor's origin [N m]
   double max_silence = 0.05;     ///< between two messages of a stream [s]
+  double max_unattended = 0.1;   ///< without a sign of life of who commanded a motion [s]
   double max_joint_speed = 2.0;  ///< measured and commanded, of each joint [rad/s] or [m/s]
   double start_tolerance = 0.1;  ///< of each joint, to where a motion starts [rad] or [m]
+  double path_tolerance = 0.1;   ///< of each joint, to where it should be in a motion [rad] or [m]
   /// After a fault is cleared under load, force and torque may rise above the least since then by
   /// this much [N], [N m]; sensor noise must be smaller.
   double force_margin = 10.0;
@@ -33,6 +35,8 @@ struct JointReading {
 /// Decides whether a robot may move. It latches the first fault with its reason, whether a motion
 /// runs or not: force, torque or joint speed above the limit, a value that is not finite, a stream
 /// that was there and falls silent, a trajectory that is too fast or does not start at the joints.
+/// While a motion runs, contact observations must keep up, its commander must show that it lives,
+/// and the joints must follow.
 ///
 /// All `now` are of one clock that never jumps [s]. A message whose stamp is that of the one before
 /// counts as silence: the driver repeats itself.
@@ -46,13 +50,27 @@ class MotionGuard {
   /// A reading without all of the robot's joints is another device's and says nothing.
   void onJoints(double now, const JointReading& reading);
 
-  /// Whether the trajectory may be passed on; where not, `fault` says why. One without points is
-  /// the stop and always passes. A first point at time 0 is where the motion starts; before a later
-  /// one the robot moves there from where it stands.
-  bool allows(double now, const JointTrajectory& trajectory);
+  /// A contact observation of the wrench of this stamp.
+  void onContact(double now, double stamp) { contact_beat_.beat(now, stamp); }
+
+  /// Who commanded the motion lives and wants it to go on.
+  void onSignOfLife(double now) { commander_ = now; }
+
+  /// The motion of a commanded trajectory: its joints in the order of the robot's, from a point at
+  /// time 0 on. Where the robot may not follow it, nothing: `fault` says why. A first point at time
+  /// 0 is where the motion starts; before a later one the robot moves there from where it stands.
+  std::optional<JointTrajectory> admit(double now, const JointTrajectory& trajectory);
 
   /// Looks for silence; to be called several times in `max_silence`.
   void check(double now);
+
+  /// Looks for what must not be while a motion runs, that should have come to `expected` by now; to
+  /// be called as often.
+  void checkMotion(double now, const JointTrajectoryPoint& expected);
+
+  /// Where the joints are and how fast, in the order of the names, its time their stamp; nothing
+  /// where that is older than `max_silence`.
+  std::optional<JointTrajectoryPoint> joints(double now) const;
 
   /// Latches a fault of the caller's own, such as a user's stop.
   void stop(const std::string& reason);
@@ -87,13 +105,15 @@ class MotionGuard {
   std::string silence(double now) const;
   std::string problemOf(const JointTrajectory& trajectory) const;
   std::string problemOfPoints(const JointTrajectory& ordered) const;
+  std::string problemOfMotion(double now, const JointTrajectoryPoint& expected) const;
 
   MotionGuardParameters parameters_;
   std::vector<std::string> joint_names_;
   Ceiling force_, torque_;
-  Wrench wrench_;                  ///< the last finite one
-  std::vector<double> positions_;  ///< the last finite ones, in the order of joint_names_
-  Heartbeat wrench_beat_, joints_beat_;
+  Wrench wrench_;               ///< the last finite one
+  JointTrajectoryPoint state_;  ///< the last finite one, in the order of joint_names_
+  Heartbeat wrench_beat_, joints_beat_, contact_beat_;
+  double commander_ = 0.0;  ///< when its last sign of life came
   std::string fault_;
 };
 

@@ -87,7 +87,7 @@ class RosRobot : public Robot {
   ros::NodeHandle node_;
   JointListener joints_;
   FaultListener guard_;
-  ros::Publisher command_;
+  ros::Publisher command_, sign_of_life_;
   ros::Subscriber contact_;
   ros::ServiceClient reset_;
   ros::AsyncSpinner spinner_{1, &queue_};

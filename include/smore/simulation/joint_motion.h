@@ -15,10 +15,11 @@ class JointMotion {
   /// At rest at `positions`, in the order of `names`.
   JointMotion(const std::vector<std::string>& names, const std::vector<double>& positions);
 
-  /// Replaces the motion: from `now` at rest, unless the trajectory has a point at time 0. Empty:
-  /// stays at `now`. InputError for unknown, missing or repeated joints, points of a wrong size,
-  /// values that are not finite or times that do not rise.
-  void follow(const JointTrajectory& trajectory, const std::vector<double>& now);
+  /// Replaces the motion: from where the one before has come to, as fast as it is there, to the
+  /// first point; at that at once where its time is 0. InputError for no points, unknown, missing
+  /// or repeated joints, points of a wrong size, values that are not finite or times that do not
+  /// rise.
+  void follow(const JointTrajectory& trajectory);
 
   /// Ends the motion at `now`, at rest.
   void stop(const std::vector<double>& now);
@@ -34,11 +35,9 @@ class JointMotion {
 
  private:
   std::vector<JointTrajectoryPoint> ordered(const JointTrajectory& trajectory) const;
-  void interpolate(const JointTrajectoryPoint& from, const JointTrajectoryPoint& to);
 
   std::vector<std::string> names_;
   std::vector<JointTrajectoryPoint> points_;  ///< in the order of the names
-  size_t next_ = 0;                           ///< point that the present segment ends at
   double time_ = 0.0;                         ///< since the trajectory's start [s]
   double end_ = 0.0;
   std::vector<double> positions_;

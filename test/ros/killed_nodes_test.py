@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whatever node ends in a motion behind the guard, and however, the arm comes to rest."""
+
+import os
+import signal
+import unittest
+
+import rostest
+
+from node_killing import RunningLoop, Simulator
+from node_testing import start_node
+
+LAUNCH_FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "guarded_loop.launch")
+MOST = 0.3  # from the end of a node to the arm's rest [s of the arm's own time]
+
+
+class KilledNodes(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        start_node("killed_nodes_test")
+        cls.simulator = Simulator()
+
+    def setUp(self):
+        self.assertTrue(self.simulator.reset().success)
+        self.loop = RunningLoop(LAUNCH_FILE, "ur5e_one_peg_quiet")
+        self.addCleanup(self.loop.end)
+        self.assertTrue(self.simulator.wait_for_motion())
+
+    def stands_after(self, end_node, *arguments):
+        self.assertLess(self.simulator.rest_after(lambda: end_node(*arguments)), MOST)
+
+    def test_the_guard_is_killed(self):
+        self.stands_after(self.loop.signal, "guard", signal.SIGKILL)
+
+    def test_the_guard_is_interrupted(self):
+        self.stands_after(self.loop.signal, "guard", signal.SIGINT)
+
+    def test_the_retrieval_is_killed(self):
+        self.stands_after(self.loop.signal, "retrieval", signal.SIGKILL)
+
+    def test_the_retrieval_is_asked_to_end(self):
+        self.stands_after(self.loop.ask_to_end, "retrieval")
+
+    def test_the_guard_is_asked_to_end(self):
+        self.stands_after(self.loop.ask_to_end, "guard")
+
+    def test_the_listener_is_killed(self):
+        self.stands_after(self.loop.signal, "force_torque", signal.SIGKILL)
+
+    def test_the_mapping_is_killed(self):
+        self.stands_after(self.loop.signal, "mapping", signal.SIGKILL)
+
+    def test_the_planner_is_killed(self):
+        self.stands_after(self.loop.signal, "planner", signal.SIGKILL)
+
+    def test_the_launch_is_interrupted(self):
+        self.stands_after(self.loop.launch.send_signal, signal.SIGINT)
+
+    def test_all_nodes_are_killed_at_once(self):
+        def kill_all():
+            for node in ["guard", "retrieval", "force_torque", "mapping", "planner"]:
+                self.loop.signal(node, signal.SIGKILL)
+
+        self.stands_after(kill_all)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("smore", "killed_nodes", KilledNodes)
