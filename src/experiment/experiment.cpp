@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/experiment/experiment.h"
 
-#include <octomap/octomap.h>
-
 #include <exception>
-#include <filesystem>
 #include <mutex>
-#include <stdexcept>
 #include <thread>
 
 #include "smore/common/elapsed_time.h"
 #include "smore/experiment/in_process_robot.h"
+#include "smore/experiment/map_files.h"
 #include "smore/experiment/touchable_surface.h"
-#include "smore/mapping/octomap_export.h"
+#include "smore/experiment/trial_recording.h"
 #include "smore/retrieval/reconstruction.h"
 #include "smore/retrieval/retrieval.h"
 #include "smore/simulation/simulated_robot.h"
@@ -33,47 +30,35 @@ ContactSensingParameters sensingParameters(const Scenario& scenario) {
   return parameters;
 }
 
-void writeTree(const VoxelGrid& grid, const std::filesystem::path& file) {
-  if (!toOctree(grid)->write(file.string())) {
-    throw std::runtime_error(file.string() + ": cannot be written; check the disk");
-  }
-}
-
-void saveMaps(const TwinMap& maps, const ExperimentParameters& parameters, std::uint64_t seed) {
-  std::filesystem::path directory = parameters.maps_directory;
-  if (parameters.trials > 1) directory /= "seed_" + std::to_string(seed);
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw std::runtime_error(directory.string() + ": cannot be made: " + error.message());
-  writeTree(maps.world(), directory / "world.ot");
-  writeTree(maps.object(), directory / "object.ot");
-}
-
 RetrievalOutcome runTask(const Scenario& scenario, const ExperimentParameters& parameters,
                          Robot* robot, const Method& method, const std::atomic<bool>& interrupted,
-                         const Retrieval::ProgressCallback& on_progress) {
+                         const Retrieval::ProgressCallback& on_progress, MotionObserver* motions) {
   if (scenario.task == Task::kReconstruct) {
-    return reconstruct(reconstructionParameters(scenario), robot, method.touches.get(), on_progress,
-                       [&interrupted] { return interrupted.load(); });
+    return reconstruct(
+        reconstructionParameters(scenario), robot, method.touches.get(), on_progress,
+        [&interrupted] { return interrupted.load(); }, motions);
   }
   RetrievalParameters retrieval_parameters = retrievalParameters(scenario);
   retrieval_parameters.max_collisions = parameters.max_collisions;
   Retrieval* running = nullptr;
-  Retrieval retrieval(retrieval_parameters, robot, method.planner.get(),
-                      [&](const RetrievalProgress& progress) {
-                        if (interrupted) running->requestStop();
-                        on_progress(progress);
-                      });
+  Retrieval retrieval(
+      retrieval_parameters, robot, method.planner.get(),
+      [&](const RetrievalProgress& progress) {
+        if (interrupted) running->requestStop();
+        on_progress(progress);
+      },
+      motions);
   running = &retrieval;
   return retrieval.run();
 }
 
 TouchScore touchFurther(const Scenario& scene, int touches, Robot* robot, const Method& method,
-                        const std::atomic<bool>& interrupted) {
+                        const std::atomic<bool>& interrupted, MotionObserver* motions) {
   ReconstructionParameters parameters = reconstructionParameters(scene);
   parameters.touches = touches;
-  const RetrievalOutcome outcome = reconstruct(parameters, robot, method.touches.get(), {},
-                                               [&interrupted] { return interrupted.load(); });
+  const RetrievalOutcome outcome = reconstruct(
+      parameters, robot, method.touches.get(), {}, [&interrupted] { return interrupted.load(); },
+      motions);
   const TouchableSurface surface = touchableSurface(scene);
   TouchScore score;
   score.touches = outcome.collisions;
@@ -83,6 +68,40 @@ TouchScore touchFurther(const Scenario& scene, int touches, Robot* robot, const 
   score.object_surface_recall = surfaceRecall(method.maps->object(), surface.object);
   score.world_surface_recall = surfaceRecall(method.maps->world(), surface.world);
   return score;
+}
+
+TrialResult resultOf(const RetrievalOutcome& outcome, const Scenario& scene, const Method& method,
+                     const InProcessRobot& robot) {
+  TrialResult result;
+  result.success = outcome.success;
+  result.reason = outcome.reason;
+  result.collisions = outcome.collisions;
+  result.plans = outcome.plans;
+  result.path_length = outcome.path_length;
+  result.planning_s = outcome.planning_s;
+  result.motions = outcome.motions;
+  result.mapping_s = robot.times().sensing_and_mapping;
+  result.simulation_s = robot.times().simulation;
+  result.object_map = scoreMap(method.maps->object(), scene.object);
+  result.world_map = scoreMap(method.maps->world(), scene.environment);
+  return result;
+}
+
+std::unique_ptr<TrialRecording> startRecording(const Scenario& scenario,
+                                               const ExperimentParameters& parameters,
+                                               std::uint64_t seed, const Scenario& scene,
+                                               const SimulatedRobot& simulated) {
+  if (parameters.record_directory.empty()) return nullptr;
+  return std::make_unique<TrialRecording>(
+      evidenceFile(parameters.record_directory, seed),
+      EvidenceSource{scenario, parameters.method, parameters.method_parameters, seed}, scene,
+      &simulated);
+}
+
+void saveTrialMaps(const TwinMap& maps, const ExperimentParameters& parameters,
+                   std::uint64_t seed) {
+  const bool several = parameters.trials > 1;
+  saveMaps(maps, parameters.maps_directory + (several ? "/seed_" + std::to_string(seed) : ""));
 }
 
 }  // namespace
@@ -97,40 +116,32 @@ TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& param
   if (parameters.random_touches) {
     method.touches = std::make_unique<RandomTouches>(scenario.motionSpace(), seed);
   }
-  InProcessRobot robot(
-      simulated.get(), sensingParameters(scene), seed,
-      [&method](const ContactObservation& observation) { method.observe(observation); });
+  const auto recording = startRecording(scenario, parameters, seed, scene, *simulated);
+  InProcessRobot robot(simulated.get(), sensingParameters(scene), seed,
+                       [&](const ContactObservation& observation) {
+                         if (recording) recording->observe(observation);
+                         method.observe(observation);
+                       });
 
   ExperimentProgress news;
   news.seed = seed;
-  const RetrievalOutcome outcome = runTask(scene, parameters, &robot, method, interrupted,
-                                           [&](const RetrievalProgress& progress) {
-                                             news.collisions = progress.collisions;
-                                             news.plans = progress.plans;
-                                             if (progress.phase != Phase::kFinished)
-                                               on_progress(news);
-                                           });
-
-  TrialResult result;
+  const auto tell = [&](const RetrievalProgress& progress) {
+    news.collisions = progress.collisions;
+    news.plans = progress.plans;
+    if (progress.phase != Phase::kFinished) on_progress(news);
+  };
+  const RetrievalOutcome outcome =
+      runTask(scene, parameters, &robot, method, interrupted, tell, recording.get());
+  TrialResult result = resultOf(outcome, scene, method, robot);
   result.seed = seed;
-  result.success = outcome.success;
-  result.reason = outcome.reason;
-  result.collisions = outcome.collisions;
-  result.plans = outcome.plans;
-  result.path_length = outcome.path_length;
-  result.planning_s = outcome.planning_s;
-  result.motions = outcome.motions;
-  result.mapping_s = robot.times().sensing_and_mapping;
-  result.simulation_s = robot.times().simulation;
   result.simulated_s = simulated->time();
-  result.object_map = scoreMap(method.maps->object(), scene.object);
-  result.world_map = scoreMap(method.maps->world(), scene.environment);
   if (parameters.touches_after_success > 0 && result.success && !interrupted) {
-    result.after_touches =
-        touchFurther(scene, parameters.touches_after_success, &robot, method, interrupted);
+    result.after_touches = touchFurther(scene, parameters.touches_after_success, &robot, method,
+                                        interrupted, recording.get());
   }
+  if (recording && !interrupted) recording->finish(outcome);
   if (!parameters.maps_directory.empty() && !interrupted) {
-    saveMaps(*method.maps, parameters, seed);
+    saveTrialMaps(*method.maps, parameters, seed);
   }
   result.wall_s = secondsSince(begin);
 

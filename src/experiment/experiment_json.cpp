@@ -10,8 +10,6 @@
 namespace smore {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json scoreJson(const MapScore& score, bool with_distances) {
@@ -100,17 +98,6 @@ Json summaryJson(const std::vector<TrialResult>& trials) {
             {"stddev", orNull(sampleStddev(collisions))}}}};
 }
 
-Json parametersJson(MethodParameters parameters) {
-  Json json = Json::object();
-  for (const ParameterSection& section : parameterSections(&parameters)) {
-    Json& values = json[section.name] = Json::object();
-    for (const ParameterField& field : section.fields) {
-      std::visit([&](const auto* value) { values[field.key] = *value; }, field.value);
-    }
-  }
-  return json;
-}
-
 }  // namespace
 
 std::string toJson(const Scenario& scenario, const ExperimentParameters& parameters,
@@ -124,7 +111,7 @@ std::string toJson(const Scenario& scenario, const ExperimentParameters& paramet
             {"trials", list},
             {"summary", summaryJson(trials)}};
   if (parameters.method == MethodKind::kSmore) {
-    json["parameters"] = parametersJson(parameters.method_parameters);
+    json["parameters"] = toJson(parameters.method_parameters);
   }
   return json.dump(2);
 }

@@ -10,6 +10,7 @@
 
 #include "smore/common/result.h"
 #include "smore/experiment/experiment.h"
+#include "smore/experiment/output_paths.h"
 #include "smore/experiment/progress_display.h"
 #include "smore/simulation/simulated_robot.h"
 
@@ -60,6 +61,8 @@ void declare(CLI::App* app, Arguments* arguments) {
                 "touch at random where the method would choose; for comparison");
   app->add_option("--output", arguments->output, "result file (JSON) instead of standard output");
   app->add_option("--maps", parameters.maps_directory, "directory for each trial's octrees");
+  app->add_option("--record", parameters.record_directory,
+                  "directory for each trial's evidence (seed_N.evidence)");
   app->add_flag("--validate", arguments->validate, "only check the scenario");
 }
 
@@ -74,6 +77,18 @@ bool write(const std::string& json, const std::string& file) {
   return stream.good();
 }
 
+// An output that cannot be written must be known before hours of trials, not after.
+bool canWriteOutputs(const Arguments& arguments) {
+  std::string problem;
+  if (!arguments.output.empty()) problem = smore::problemOfFile(arguments.output);
+  for (const std::string& directory :
+       {arguments.parameters.maps_directory, arguments.parameters.record_directory}) {
+    if (problem.empty() && !directory.empty()) problem = smore::problemOfDirectory(directory);
+  }
+  if (!problem.empty()) std::cerr << problem << std::endl;
+  return problem.empty();
+}
+
 int run(Arguments arguments) {
   const smore::Scenario scenario = smore::loadScenario(arguments.scenario);
   if (!arguments.method_parameters.empty()) {
@@ -85,11 +100,7 @@ int run(Arguments arguments) {
     std::cerr << arguments.scenario << ": valid" << std::endl;
     return 0;
   }
-  // An output that cannot be written must be known before hours of trials, not after.
-  if (!arguments.output.empty() && !std::ofstream(arguments.output, std::ios::app)) {
-    std::cerr << arguments.output << ": cannot be written; check the directory" << std::endl;
-    return kInternalError;
-  }
+  if (!canWriteOutputs(arguments)) return kInternalError;
   smore::ProgressDisplay display(&std::cerr, isatty(STDERR_FILENO) != 0,
                                  arguments.parameters.trials);
   const auto trials =

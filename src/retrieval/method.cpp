@@ -85,6 +85,11 @@ MethodKind methodKind(const std::string& name) {
   throw InputError("unknown method '" + name + "'; use paper, cspace or smore");
 }
 
+std::vector<std::string> methodNames() {
+  return {methodName(MethodKind::kPaper), methodName(MethodKind::kCspace),
+          methodName(MethodKind::kSmore)};
+}
+
 std::string methodName(MethodKind kind) {
   switch (kind) {
     case MethodKind::kPaper:

@@ -2,6 +2,7 @@
 #include "smore/retrieval/method_parameters.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "smore/common/result.h"
 
@@ -91,9 +92,9 @@ std::vector<ParameterSection> parameterSections(MethodParameters* parameters) {
   return {beliefSection(&parameters->belief), plannerSection(&parameters->planner)};
 }
 
-MethodParameters loadMethodParameters(const std::string& file) {
+MethodParameters readMethodParameters(const YAML::Node& mapping, const std::string& source) {
   MethodParameters parameters;
-  ParameterReader reader(loadYaml(file), file);
+  ParameterReader reader(mapping, source);
   for (const ParameterSection& section : parameterSections(&parameters)) {
     if (!reader.has(section.name)) continue;
     ParameterReader nested = reader.nested(section.name);
@@ -103,6 +104,21 @@ MethodParameters loadMethodParameters(const std::string& file) {
   checkTogether(parameters.belief, &reader);
   reader.finish();
   return parameters;
+}
+
+MethodParameters loadMethodParameters(const std::string& file) {
+  return readMethodParameters(loadYaml(file), file);
+}
+
+Json toJson(MethodParameters parameters) {
+  Json json = Json::object();
+  for (const ParameterSection& section : parameterSections(&parameters)) {
+    Json& values = json[section.name] = Json::object();
+    for (const ParameterField& field : section.fields) {
+      std::visit([&](const auto* value) { values[field.key] = *value; }, field.value);
+    }
+  }
+  return json;
 }
 
 }  // namespace smore

@@ -20,7 +20,7 @@ ReconstructionParameters reconstructionParameters(const Scenario& scenario) {
 
 RetrievalOutcome reconstruct(const ReconstructionParameters& parameters, Robot* robot,
                              TouchPlanner* touches, const Retrieval::ProgressCallback& on_progress,
-                             const std::function<bool()>& should_stop) {
+                             const std::function<bool()>& should_stop, MotionObserver* motions) {
   RetrievalOutcome outcome;
   const auto enter = [&](Phase phase) {
     if (on_progress) on_progress({phase, outcome.collisions, outcome.plans, 0.0});
@@ -44,7 +44,9 @@ RetrievalOutcome reconstruct(const ReconstructionParameters& parameters, Robot* 
     }
     enter(Phase::kMoving);
     ++outcome.plans;
+    if (motions != nullptr) motions->motionBegins(*path, std::nullopt);
     MotionResult motion = robot->follow(*path);
+    if (motions != nullptr) motions->motionEnded(motion, robot->pose());
     outcome.path_length = motion.length;
     if (motion.end == MotionEnd::kContact) {
       ++outcome.collisions;

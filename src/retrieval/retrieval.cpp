@@ -33,11 +33,12 @@ const char* phaseName(Phase phase) {
 }
 
 Retrieval::Retrieval(const RetrievalParameters& parameters, Robot* robot, Planner* planner,
-                     ProgressCallback on_progress)
+                     ProgressCallback on_progress, MotionObserver* motions)
     : parameters_(parameters),
       robot_(robot),
       planner_(planner),
-      on_progress_(std::move(on_progress)) {}
+      on_progress_(std::move(on_progress)),
+      motions_(motions) {}
 
 RetrievalOutcome Retrieval::run() {
   outcome_ = {};
@@ -97,9 +98,16 @@ bool Retrieval::findPlan(Plan* plan) {
   return false;
 }
 
+MotionResult Retrieval::follow(const Plan& plan) {
+  if (motions_ != nullptr) motions_->motionBegins(plan.path, plan.risk);
+  MotionResult motion = robot_->follow(plan.path);
+  if (motions_ != nullptr) motions_->motionEnded(motion, robot_->pose());
+  return motion;
+}
+
 bool Retrieval::execute(const Plan& plan) {
   enter(Phase::kMoving);
-  const MotionResult motion = robot_->follow(plan.path);
+  const MotionResult motion = follow(plan);
   outcome_.path_length = motion.length;
   refused_ = motion.end == MotionEnd::kUnreachable ? refused_ + 1 : 0;
   if (motion.end == MotionEnd::kReached || motion.end == MotionEnd::kContact) {

@@ -4,7 +4,7 @@
 namespace smore {
 
 bool EvidenceLog::add(const ContactObservation& observation) {
-  if (!isNew(observation)) return false;
+  if (!filter_.keeps(observation)) return false;
   entries_.push_back(observation);
   return true;
 }
@@ -16,18 +16,8 @@ std::vector<ContactObservation> EvidenceLog::from(std::uint64_t first) const {
 
 void EvidenceLog::restart() {
   entries_.clear();
+  filter_.restart();
   ++epoch_;
-}
-
-bool EvidenceLog::isNew(const ContactObservation& observation) const {
-  if (observation.line) return true;
-  if (observation.state == ContactState::kUnsure) return false;
-  if (entries_.empty()) return true;
-  const ContactObservation& last = entries_.back();
-  if (observation.contact_id != last.contact_id || observation.state != last.state) return true;
-  if (observation.state == ContactState::kContact) return false;
-  return distanceBetween(observation.T_world_object, last.T_world_object) >= spacing_.distance ||
-         angleBetween(observation.T_world_object, last.T_world_object) >= spacing_.angle;
 }
 
 }  // namespace smore

@@ -1,21 +1,21 @@
 #!/usr/bin/env bash
-# Exit codes and messages of smore_experiment, as a user meets them.
-# usage: test_experiment_program.sh PROGRAM SCENARIO_DIRECTORY
+# Exit codes and messages of smore_experiment and smore_rebuild, as a user meets them.
+# usage: test_experiment_program.sh SMORE_EXPERIMENT SMORE_REBUILD SCENARIO_DIRECTORY
 set -uo pipefail
 program=$1
-scenarios=$2
+scenarios=$3
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
 failures=0
 
-# expect CODE WORDS ARGUMENTS...: the program ends with CODE and says WORDS on standard error.
+# expect CODE WORDS ARGUMENTS...: the program ends with CODE and says WORDS, if any, on standard error.
 expect() {
   local code=$1 words=$2
   shift 2
   "$program" "$@" >"$directory/out" 2>"$directory/err"
   local actual=$?
-  if [ "$actual" -ne "$code" ] || ! grep -qF -- "$words" "$directory/err"; then
-    echo "smore_experiment $*: exit $actual, expected $code and '$words' in:"
+  if [ "$actual" -ne "$code" ] || { [ -n "$words" ] && ! grep -qF -- "$words" "$directory/err"; }; then
+    echo "$(basename "$program") $*: exit $actual, expected $code and '$words' in:"
     cat "$directory/err"
     failures=$((failures + 1))
   fi
@@ -33,13 +33,45 @@ sed 's/start: {position: \[0, 0, 0\]/start: {position: [0.15, 0, 0]/' "$referenc
 expect 2 "start" --scenario "$directory/touching.yaml" --validate
 expect 0 "valid" --scenario "$reference" --validate
 echo 'belief: {radios: 0.02}' >"$directory/parameters.yaml"
+echo 'belief: {}' >"$directory/no_parameters.yaml"
 expect 2 "belief.radios: unknown key" --scenario "$reference" --parameters "$directory/parameters.yaml"
 expect 2 "only the method smore" --scenario "$reference" --method paper \
   --parameters "$directory/parameters.yaml"
 expect 1 "cannot be written" --scenario "$reference" --output /nowhere/result.json
+expect 1 "/proc/evidence: cannot be made" --scenario "$reference" --record /proc/evidence
+expect 1 "result.json: cannot be made" --scenario "$reference" \
+  --record "$directory/bad.yaml/result.json"
 expect 0 "limit of 2 collisions" --scenario "$reference" --method paper --max-collisions 2 \
-  --output "$directory/result.json" --maps "$directory/maps"
-for file in result.json maps/world.ot maps/object.ot; do
+  --output "$directory/result.json" --maps "$directory/maps" --record "$directory/new/record"
+
+program=$2
+evidence=$directory/new/record/seed_1.evidence
+expect 2 "--evidence is required" --output "$directory/again"
+expect 2 "--output is required" --evidence "$evidence"
+expect 2 "--method" --evidence "$evidence" --output "$directory/again" --method guess
+expect 2 "--voxel-size" --evidence "$evidence" --output "$directory/again" --voxel-size -1
+expect 2 "/nowhere: cannot be read" --evidence /nowhere --output "$directory/again"
+expect 2 "not a record" --evidence "$reference" --output "$directory/again"
+expect 2 "only the method smore" --evidence "$evidence" --output "$directory/again" \
+  --parameters "$directory/no_parameters.yaml"
+expect 2 "belief.radios: unknown key" --evidence "$evidence" --output "$directory/again" \
+  --parameters "$directory/parameters.yaml"
+expect 1 "cannot be made" --evidence "$evidence" --output /proc/maps_of_evidence
+head -c 300 "$evidence" >"$directory/short.evidence"
+expect 2 "before its header, task and method are whole" --evidence "$directory/short.evidence" \
+  --output "$directory/again"
+head -c -10 "$evidence" >"$directory/cut.evidence"
+expect 0 "the last record was cut" --evidence "$directory/cut.evidence" --output "$directory/cut"
+expect 0 "" --evidence "$evidence" --output "$directory/again/deep"
+expect 0 "" --evidence "$evidence" --output "$directory/smore" --method smore --voxel-size 0.05 \
+  --parameters "$directory/no_parameters.yaml"
+for map in world.ot object.ot; do
+  if ! cmp "$directory/maps/$map" "$directory/again/deep/$map"; then
+    echo "$map differs from the trial's"
+    failures=$((failures + 1))
+  fi
+done
+for file in result.json maps/world.ot maps/object.ot again/deep/summary.json cut/world.ot smore/object.ot; do
   if [ ! -s "$directory/$file" ]; then
     echo "no $file was written"
     failures=$((failures + 1))

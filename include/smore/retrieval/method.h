@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "smore/mapping/twin_map.h"
 #include "smore/planning/planner.h"
@@ -22,6 +23,9 @@ enum class MethodKind {
 /// Kind of a name, `paper`, `cspace` or `smore`; InputError for any other.
 MethodKind methodKind(const std::string& name);
 std::string methodName(MethodKind kind);
+
+/// Names of all kinds, in the order of MethodKind.
+std::vector<std::string> methodNames();
 
 /// What learns and what plans, put together for one method.
 struct Method {

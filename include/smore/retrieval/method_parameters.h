@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "smore/common/json.h"
 #include "smore/common/parameters.h"
 #include "smore/mapping/joint_belief.h"
 #include "smore/planning/risk_planner.h"
@@ -38,5 +39,11 @@ std::vector<ParameterSection> parameterSections(MethodParameters* parameters);
 /// The defaults, changed by what a YAML file sets. InputError with all problems of the file:
 /// unknown keys, wrong types, values out of range.
 MethodParameters loadMethodParameters(const std::string& file);
+
+/// The same from a mapping that was parsed already; `source` names it in messages.
+MethodParameters readMethodParameters(const YAML::Node& mapping, const std::string& source);
+
+/// All parameters, in the form in which they are read.
+Json toJson(MethodParameters parameters);
 
 }  // namespace smore

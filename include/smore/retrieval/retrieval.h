@@ -8,6 +8,7 @@
 
 #include "smore/common/robot.h"
 #include "smore/planning/planner.h"
+#include "smore/retrieval/motion_observer.h"
 #include "smore/scenario/scenario.h"
 
 namespace smore {
@@ -65,9 +66,9 @@ class Retrieval {
   using ProgressCallback = std::function<void(const RetrievalProgress&)>;
 
   /// `robot` and `planner` must outlive this. `on_progress` is called at each change of phase, from
-  /// the thread of `run`; it may be empty.
+  /// the thread of `run`; it may be empty. `motions` may be null and must outlive this.
   Retrieval(const RetrievalParameters& parameters, Robot* robot, Planner* planner,
-            ProgressCallback on_progress);
+            ProgressCallback on_progress, MotionObserver* motions = nullptr);
 
   /// Runs until the goal, the collision limit, a fault, or `requestStop`.
   RetrievalOutcome run();
@@ -82,6 +83,7 @@ class Retrieval {
   bool findPlan(Plan* plan);
   /// True if the retrieval is over.
   bool execute(const Plan& plan);
+  MotionResult follow(const Plan& plan);
   bool recover();
   bool finish(bool success, const std::string& reason);
 
@@ -89,6 +91,7 @@ class Retrieval {
   Robot* robot_;
   Planner* planner_;
   ProgressCallback on_progress_;
+  MotionObserver* motions_;
   RetrievalProgress progress_;
   RetrievalOutcome outcome_;
   int refused_ = 0;  ///< paths in a row that the robot could not follow
