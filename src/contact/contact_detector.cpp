@@ -18,6 +18,14 @@ ContactState ContactDetector::process(double time, const Vec3& force, double bia
   return quiet_ ? ContactState::kFree : ContactState::kUnsure;
 }
 
+Vec3 ContactDetector::meanForce() const {
+  return samples_.empty() ? Vec3(Vec3::Zero()) : meanOver(parameters_.release_window).force;
+}
+
+void ContactDetector::takeOff(const Vec3& force) {
+  for (Sample& sample : samples_) sample.force -= force;
+}
+
 void ContactDetector::reset() {
   samples_.clear();
   in_contact_ = quiet_ = may_be_drift_ = false;

@@ -3,16 +3,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "smore/contact/noise_allowance.h"
 
 namespace smore {
 namespace {
 
+// Of each of the two means that have to agree [s]: a gripper has stopped swinging, and the robot
+// waits for free space longer than both take.
+constexpr double kResidualMean = 0.4;
+
 // Two unit vectors that make a right-handed frame with `axis`.
 std::pair<Vec3, Vec3> perpendiculars(const Vec3& axis) {
   const Vec3 first = axis.unitOrthogonal();
   return {first, axis.cross(first)};
+}
+
+ResidualParameters residualParameters(const ContactSensingParameters& parameters) {
+  ResidualParameters result;
+  const ContactDetectorParameters& detector = parameters.detector;
+  result.max_force = detector.residual_force;
+  // Each mean errs as the slow one, by less than the free force.
+  result.steady_force = M_SQRT2 * detector.free_force;
+  result.mean_window.duration = std::max(kResidualMean, detector.slow_window.duration);
+  result.mean_window.samples = detector.slow_window.samples;
+  result.slow_window = detector.slow_window;
+  return result;
 }
 
 // A force less what a weight of any direction may be of it.
@@ -55,6 +72,7 @@ ContactDetectorParameters readDetector(ParameterReader reader) {
   reader.number("contact_force", &detector.contact_force, {1e-3, 1000.0});
   reader.number("free_force", &detector.free_force, {1e-3, 1000.0});
   reader.number("release_force", &detector.release_force, {1e-3, 1000.0});
+  reader.number("residual_force", &detector.residual_force, {0.0, 1000.0});
   reader.number("dwell", &detector.dwell, {0.0, 1.0});
   reader.number("fast_window", &detector.fast_window.duration, {0.0, 1.0});
   reader.number("slow_window", &detector.slow_window.duration, {0.0, 10.0});
@@ -97,6 +115,7 @@ ContactSensing::ContactSensing(const ContactSensingParameters& parameters, std::
       compensator_(parameters_.tare, parameters_.payload, parameters_.noise,
                    parameters_.detector.slow_window),
       detector_(parameters_.detector, parameters_.noise),
+      residuals_(residualParameters(parameters_)),
       random_(seed) {}
 
 Result<ContactObservation> ContactSensing::process(const WrenchSample& raw) {
@@ -112,6 +131,7 @@ Result<ContactObservation> ContactSensing::process(const WrenchSample& raw) {
   }
   last_time_ = raw.time;
   compensated_ = compensator_.process(raw).value_or(Wrench{});
+  taken_off_ = raw.wrench.force - compensated_.force;
   return observe(raw);
 }
 
@@ -119,6 +139,7 @@ ContactObservation ContactSensing::observe(const WrenchSample& raw) {
   ContactObservation observation;
   observation.time = raw.time;
   observation.T_world_object = raw.T_world_object;
+  residual_.reset();
   if (!compensator_.tared()) return observation;
 
   const double unknown = compensator_.unknownWeight(raw.T_world_object);
@@ -130,7 +151,29 @@ ContactObservation ContactSensing::observe(const WrenchSample& raw) {
   if (hidden && observation.state == ContactState::kFree) observation.state = ContactState::kUnsure;
   observation.line = measureLine(raw, hidden ? ContactState::kUnsure : observation.state);
   compensator_.track(raw, !hidden && detector_.mayBeDrift());
+  if (!hidden) takeResidual(raw, observation.state);
   return observation;
+}
+
+void ContactSensing::takeResidual(const WrenchSample& raw, ContactState state) {
+  const double stddev = meanForceStddev(2 * parameters_.detector.slow_window.samples);
+  residual_ = residuals_.observe(raw.time, raw.T_world_object, compensated_, stddev, state);
+  if (!residual_) return;
+  compensator_.addToBias(raw.time, *residual_, stddev);
+  detector_.takeOff(residual_->force);
+  average_.reset();  // what it holds of this contact is the residual
+}
+
+std::string ContactSensing::tareObjection() const {
+  const Vec3 mean = detector_.meanForce();
+  const double harmless = parameters_.detector.residual_force;
+  const bool zeroed = (mean + taken_off_).norm() <= harmless;
+  if (!detector_.inContact() || mean.norm() <= harmless || zeroed) return "";
+  std::ostringstream reason;
+  reason << "something presses with " << mean.norm()
+         << " N and would be taken for nothing from now on; move the object until nothing touches "
+            "it; if only its load has changed, zero the sensor at its driver first";
+  return reason.str();
 }
 
 void ContactSensing::startTare() {
@@ -144,6 +187,7 @@ void ContactSensing::setPayload(const Payload& payload) {
 }
 
 void ContactSensing::forgetContact() {
+  residuals_.clear();
   detector_.reset();
   average_.reset();
 }

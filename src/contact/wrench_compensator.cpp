@@ -66,6 +66,13 @@ void WrenchCompensator::track(const WrenchSample& raw, bool free) {
   if (bias_) bias_->observe(raw.time, raw.wrench - weight(raw.T_world_object), free);
 }
 
+void WrenchCompensator::addToBias(double time, const Wrench& residual, double stddev) {
+  if (!bias_) return;
+  const Wrench bias{bias_->bias().force + residual.force, bias_->bias().torque + residual.torque};
+  bias_.emplace(noise_, track_delay_, bias, stddev);
+  tared_at_ = time;
+}
+
 double WrenchCompensator::unknownWeight(const Pose& T_world_object) const {
   if (!bias_) return 0.0;
   return payload_.unknown_mass * (gravityIn(T_world_object) - gravity_tared_).norm();

@@ -5,24 +5,21 @@
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <deque>
 #include <sstream>
 
 #include "force_torque_parameters.h"
-#include "smore/contact/sample_rate.h"
 #include "smore/contact/still_poses.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/sensing_request.h"
 #include "smore/ros/throttle.h"
-#include "smore/ros/wrist_poses.h"
+#include "wrench_intake.h"
 
 namespace smore {
 namespace {
 
 constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
-constexpr double kFarRate = 1.5;   // times the period that parameters say, or below its inverse
-constexpr double kTimeJump = 1.0;  // [s]; stamps that fall by less are merely out of order
+constexpr double kZeroingShows = 0.5;   // [s] from a driver's zeroing until it has come through
 
 std::string describe(const IdentifiedPayload& found) {
   std::ostringstream text;
@@ -38,23 +35,28 @@ std::string describe(const IdentifiedPayload& found) {
 class ForceTorqueNode {
  public:
   explicit ForceTorqueNode(const ForceTorqueParameters& parameters)
-      : parameters_(parameters), sensing_(parameters.sensing), poses_(parameters.frames) {
+      : parameters_(parameters),
+        sensing_(parameters.sensing),
+        intake_(
+            parameters, [this] { restart(); },
+            [this](const WrenchSample& sample, const ros::Time& stamp) {
+              process(sample, stamp);
+            }) {
     node_.setCallbackQueue(&queue_);
     service_node_.setCallbackQueue(&service_queue_);
     const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
-    tf_ = node_.subscribe(names::kTf, names::kStreamQueue, &ForceTorqueNode::onTransforms, this,
+    tf_ = node_.subscribe(names::kTf, names::kStreamQueue, &WrenchIntake::onTransforms, &intake_,
                           hints);
     tf_static_ = node_.subscribe(names::kTfStatic, names::kStreamQueue,
-                                 &ForceTorqueNode::onStaticTransforms, this);
+                                 &WrenchIntake::onStaticTransforms, &intake_);
     contact_ =
         node_.advertise<smore_msgs::ContactObservation>(names::kContact, names::kObservationQueue);
     compensated_ = node_.advertise<geometry_msgs::WrenchStamped>(names::kWrenchCompensated,
                                                                  names::kStreamQueue);
-    wrench_ = node_.subscribe(names::kWrench, names::kStreamQueue, &ForceTorqueNode::onWrench, this,
-                              hints);
+    wrench_ = node_.subscribe(names::kWrench, names::kStreamQueue, &WrenchIntake::onWrench,
+                              &intake_, hints);
     tare_ = serve(names::kTare, &tare_request_);
     identify_ = serve(names::kIdentifyPayload, &identify_request_);
-    last_wrench_ = ros::WallTime::now();
   }
 
   void run() {
@@ -63,74 +65,17 @@ class ForceTorqueNode {
     const ros::WallDuration period(std::min(parameters_.silence_timeout, 0.1));
     while (ros::ok()) {
       queue_.callAvailable(period);
-      processWaiting();
+      intake_.handOn();
       checkSilence();
     }
   }
 
  private:
-  void onWrench(const geometry_msgs::WrenchStamped& message) {
-    last_wrench_ = ros::WallTime::now();
-    const ros::Time& stamp = message.header.stamp;
-    if (wentBack(stamp, last_stamp_)) restart();
-    if (stamp <= last_stamp_) {
-      return warnOfDropped(message, "it is not newer than the one before; who else publishes?",
-                           &repeated_warning_);
-    }
-    const std::string problem = frameNameProblem(message.header.frame_id);
-    if (!problem.empty()) return warnOfDropped(message, problem, &frame_warning_);
-    last_stamp_ = stamp;
-    waiting_.push_back(message);
-    watchRate(stamp.toSec());
-  }
-
-  void onTransforms(const tf2_msgs::TFMessage& message) {
-    for (const geometry_msgs::TransformStamped& transform : message.transforms) {
-      if (transform.child_frame_id != parameters_.frames.object) continue;
-      if (wentBack(transform.header.stamp, last_pose_)) restart();
-      last_pose_ = transform.header.stamp;
-    }
-    warnOfTransform(poses_.add(message, false));
-  }
-
-  void onStaticTransforms(const tf2_msgs::TFMessage& message) {
-    warnOfTransform(poses_.add(message, true));
-  }
-
-  void warnOfTransform(const std::string& problem) {
-    if (!problem.empty() && transform_warning_.isDue()) ROS_WARN_STREAM(problem);
-  }
-
-  void warnOfDropped(const geometry_msgs::WrenchStamped& message, const std::string& problem,
-                     Throttle* warning) {
-    if (warning->isDue())
-      ROS_WARN_STREAM("wrench at " << message.header.stamp << " s dropped: " << problem);
-  }
-
-  void watchRate(double time) {
-    rate_.add(time);
-    const double told = parameters_.sensing.noise.sample_period;
-    const double ratio = rate_.period().value_or(told) / told;
-    const bool far = ratio > kFarRate || ratio < 1.0 / kFarRate;
-    if (far && !rate_told_)
-      ROS_WARN_STREAM("wrenches come every " << *rate_.period() << " s, noise/sample_period says "
-                                             << told << " s; correct it there, or find out why");
-    rate_told_ = far;
-  }
-
-  static bool wentBack(const ros::Time& stamp, const ros::Time& last) {
-    return stamp + ros::Duration(kTimeJump) < last;
-  }
-
-  /// After time went back: a recording begins again, or a simulator does.
+  /// After time went back.
   void restart() {
-    ROS_WARN("time went back: forgetting wrenches and transforms, and taring anew");
-    waiting_.clear();
-    poses_.clear();
-    last_stamp_ = last_pose_ = ros::Time();
-    rate_ = SampleRate();
     sensing_ = ContactSensing(parameters_.sensing);
     still_poses_.clear();
+    tare_asked_.reset();
   }
 
   ros::ServiceServer serve(const std::string& name, SensingRequest* request) {
@@ -148,28 +93,9 @@ class ForceTorqueNode {
     return service_node_.advertiseService(name, callback);
   }
 
-  void processWaiting() {
-    while (!waiting_.empty()) {
-      const geometry_msgs::WrenchStamped& first = waiting_.front();
-      const Result<WrenchSample> sample = poses_.sampleOf(first);
-      if (sample) {
-        process(*sample, first.header.stamp);
-      } else if (!poses_.begunAfter(first.header.stamp, parameters_.transform_timeout)) {
-        if (!expired()) return;
-        warnOfDropped(first, sample.reason(), &pose_warning_);
-      }
-      waiting_.pop_front();
-    }
-  }
-
-  /// Whether the first wrench waited too long, or too many wait.
-  bool expired() const {
-    const double waited = (waiting_.back().header.stamp - waiting_.front().header.stamp).toSec();
-    return waited > parameters_.transform_timeout || waiting_.size() >= names::kStreamQueue;
-  }
-
   void process(const WrenchSample& sample, const ros::Time& stamp) {
-    if (tare_request_.take()) sensing_.startTare();
+    if (tare_request_.take()) tare_asked_ = sample.time;
+    if (tare_asked_) beginTare(sample.time);
     if (identify_request_.take()) identify();
     const bool was_tared = sensing_.tared();
     const Result<ContactObservation> observation = sensing_.process(sample);
@@ -181,7 +107,37 @@ class ForceTorqueNode {
     publish(*observation, stamp);
     publishCompensated(stamp);
     reportTare(was_tared);
-    still_poses_.add(sample);
+    reportResidual();
+    addStill(sample, observation->state);
+  }
+
+  /// Begins the tare that was asked for, unless something presses. A zeroing at the driver shows in
+  /// the signal only after a while.
+  void beginTare(double time) {
+    const std::string objection = sensing_.tareObjection();
+    if (!objection.empty() && time - *tare_asked_ < kZeroingShows) return;
+    tare_asked_.reset();
+    if (!objection.empty()) return tare_request_.finish({false, objection});
+    sensing_.startTare();
+    still_poses_.clear();  // the sensor may have been zeroed
+  }
+
+  /// A contact beyond what the weight may be is none of a pose's wrench. Where no weight is
+  /// expected, a contact may be the weight.
+  void addStill(const WrenchSample& sample, ContactState state) {
+    if (state == ContactState::kContact && sensing_.payload().unknown_mass > 0.0) {
+      still_poses_.interrupt();
+    } else {
+      still_poses_.add(sample);
+    }
+  }
+
+  void reportResidual() {
+    if (const std::optional<Wrench>& residual = sensing_.newResidual())
+      ROS_WARN_STREAM("the gripper keeps " << residual->force.norm() << " N ("
+                                           << residual->force.transpose()
+                                           << ") after the touch, felt where nothing touched "
+                                              "before: taken into the bias");
   }
 
   /// The stamp is the wrench's own: a time in seconds is not as fine.
@@ -220,6 +176,7 @@ class ForceTorqueNode {
   }
 
   void reportTare(bool was_tared) {
+    if (tare_asked_) return;
     if (sensing_.tared()) {
       if (!was_tared) ROS_INFO("tared");
       tare_request_.finish({true, "tared"});
@@ -230,7 +187,7 @@ class ForceTorqueNode {
   }
 
   void checkSilence() {
-    if ((ros::WallTime::now() - last_wrench_).toSec() < parameters_.silence_timeout) return;
+    if (intake_.silence() < parameters_.silence_timeout) return;
     if (silence_warning_.isDue())
       ROS_WARN_STREAM("no wrench on '" << node_.resolveName(names::kWrench) << "' for "
                                        << parameters_.silence_timeout
@@ -240,11 +197,10 @@ class ForceTorqueNode {
   ForceTorqueParameters parameters_;
   ContactSensing sensing_;
   StillPoses still_poses_;
-  std::string payload_found_;  ///< what was identified last; empty: nothing yet
+  std::optional<double> tare_asked_;  ///< when a tare was asked for that has not begun [s]
+  std::string payload_found_;         ///< what was identified last; empty: nothing yet
   SensingRequest tare_request_, identify_request_;
-  WristPoses poses_;
-  SampleRate rate_;
-  bool rate_told_ = false;
+  WrenchIntake intake_;
   ros::CallbackQueue queue_;
   ros::CallbackQueue service_queue_;
   ros::NodeHandle node_;
@@ -252,12 +208,6 @@ class ForceTorqueNode {
   ros::Publisher contact_, compensated_;
   ros::Subscriber wrench_, tf_, tf_static_;
   ros::ServiceServer tare_, identify_;
-  std::deque<geometry_msgs::WrenchStamped> waiting_;  ///< for their poses, oldest first
-  ros::WallTime last_wrench_;
-  ros::Time last_stamp_;  ///< of the newest wrench that came
-  ros::Time last_pose_;   ///< of the newest pose that came
-  Throttle repeated_warning_{kWarningPeriod}, frame_warning_{kWarningPeriod};
-  Throttle pose_warning_{kWarningPeriod}, transform_warning_{kWarningPeriod};
   Throttle sample_warning_{kWarningPeriod};
   Throttle tare_warning_{kWarningPeriod}, silence_warning_{kWarningPeriod};
   int last_contact_ = 0;

@@ -54,6 +54,17 @@ class ForceTorqueNode(unittest.TestCase):
         self.assertIsNotNone(observation, "no line of a contact of 0.1 s")
         return observation
 
+    def tare(self, **sample):
+        """The reply to a tare while such samples come."""
+        replies = []
+        service = rospy.ServiceProxy("force_torque/tare", Trigger)
+        caller = threading.Thread(target=lambda: replies.append(service()))
+        caller.start()
+        while caller.is_alive():
+            self.source.send(**sample)
+            caller.join(0.001)
+        return replies[0]
+
     def test_each_sample_is_answered_with_its_own_stamp_and_pose(self):
         stamps = [self.source.send(at=pose(0.001 * i, 0.2)) for i in range(50)]
         self.assertTrue(self.contact.wait_for(lambda message: message.header.stamp == stamps[-1]))
@@ -157,24 +168,36 @@ class ForceTorqueNode(unittest.TestCase):
     def test_tare_takes_what_is_felt_now_for_nothing(self):
         compensated = Recorder("wrench_compensated", WrenchStamped)
         self.assertTrue(compensated.wait_for_publisher())
-        answer = []
-        tare = rospy.ServiceProxy("force_torque/tare", Trigger)
-        caller = threading.Thread(target=lambda: answer.append(tare()))
-        caller.start()
-        while caller.is_alive():
-            self.source.send(force=(3, 0, 0))
-            caller.join(0.001)
-        self.assertTrue(answer[0].success, answer[0].message)
+        reply = self.tare(force=(3, 0, 0))
+        self.assertTrue(reply.success, reply.message)
         compensated.clear()
         stamp = self.source.send_for(0.05, force=(3, 0, 0))
         felt = compensated.wait_for(lambda message: message.header.stamp == stamp)
         self.assertAlmostEqual(felt.wrench.force.x, 0.0, 6)
-        caller = threading.Thread(target=lambda: answer.append(tare()))
-        caller.start()
-        while caller.is_alive():
-            self.source.send()
-            caller.join(0.001)
-        self.assertTrue(answer[1].success, answer[1].message)
+        reply = self.tare()
+        self.assertTrue(reply.success, reply.message)
+
+    def test_tare_while_something_presses_is_refused_and_spoils_nothing(self):
+        self.source.send_for(0.1, force=(0, 0, 12))
+        reply = self.tare(force=(0, 0, 12))
+        self.assertFalse(reply.success)
+        self.assertIn("presses with 12 N", reply.message)
+        stamp = self.source.send_for(0.1)
+        answer = self.contact.wait_for(lambda message: message.header.stamp == stamp)
+        self.assertEqual(answer.state, ContactObservation.FREE)
+        contacts = {message.contact_id for message in self.contact.messages()}
+        self.assertEqual(len(contacts), 2, "one before it pressed, one since")
+
+    def test_what_the_gripper_keeps_after_a_touch_is_told_and_taken_off(self):
+        self.source.send_for(0.3)
+        self.source.send_for(0.1, force=(0, 0, 12))
+        stamp = self.source.send_for(1.5, force=(0, 0, 2.9))
+        answer = self.contact.wait_for(lambda message: message.header.stamp == stamp)
+        self.assertEqual(answer.state, ContactObservation.FREE)
+        self.assertTrue(self.warnings.wait_for("the gripper keeps 2.9 N"))
+        self.contact.clear()
+        self.assertAlmostEqual(self.touch((0, -10, 2.9), (0, 0, 0)).line.direction.y, -1.0, 6)
+        self.assertTrue(self.tare().success)
 
     def test_tare_with_a_silent_sensor_says_so(self):
         answer = rospy.ServiceProxy("force_torque/tare", Trigger)()

@@ -10,10 +10,11 @@
 namespace smore {
 
 struct ContactDetectorParameters {
-  double contact_force = 5.0;  ///< mean force over the fast window at or above: touching [N]
-  double free_force = 0.5;     ///< mean force over the slow window below: nothing touches [N]
-  double release_force = 2.5;  ///< a contact lasts until the release mean falls below [N]
-  double dwell = 0.004;        ///< how long the contact force must last; impacts are shorter [s]
+  double contact_force = 5.0;   ///< mean force over the fast window at or above: touching [N]
+  double free_force = 0.5;      ///< mean force over the slow window below: nothing touches [N]
+  double release_force = 2.5;   ///< a contact lasts until the release mean falls below [N]
+  double residual_force = 3.0;  ///< what a gripper may keep after a touch (ResidualWatch) [N]
+  double dwell = 0.004;         ///< how long the contact force must last; impacts are shorter [s]
   SampleWindow fast_window{0.004};     ///< short: the stop waits for it
   SampleWindow release_window{0.004};  ///< at least the fast one; in it contact is found to end
   SampleWindow slow_window{0.02};      ///< long: sensor noise must fall below free_force in it
@@ -43,6 +44,14 @@ class ContactDetector {
   /// Whether the last slow mean may be noise and a bias that has drifted: nothing need touch. True
   /// wherever the state is free, and for all but kMissedDrift of free space.
   bool mayBeDrift() const { return may_be_drift_; }
+
+  bool inContact() const { return in_contact_; }
+
+  /// Mean force over the release window [N]; zero before the first sample.
+  Vec3 meanForce() const;
+
+  /// Takes `force` [N] off all samples so far: they were off by it.
+  void takeOff(const Vec3& force);
 
   /// Contacts confirmed so far.
   int contactCount() const { return contact_count_; }

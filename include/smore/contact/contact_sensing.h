@@ -10,6 +10,7 @@
 #include "smore/common/result.h"
 #include "smore/contact/contact_detector.h"
 #include "smore/contact/contact_observation.h"
+#include "smore/contact/residual_watch.h"
 #include "smore/contact/wrench_compensator.h"
 
 namespace smore {
@@ -60,6 +61,15 @@ class ContactSensing {
 
   void startTare();
 
+  /// Why a tare now would take something that touches for nothing; empty where it would not. A
+  /// contact of no more than a residual does not count, nor one that is felt because the driver has
+  /// just zeroed the sensor: the raw force is then near zero.
+  std::string tareObjection() const;
+
+  /// What the last processed sample let go into the bias because the gripper keeps it after a
+  /// touch; nothing where it did not.
+  const std::optional<Wrench>& newResidual() const { return residual_; }
+
   /// What the wrist carries from now on; a new tare begins.
   void setPayload(const Payload& payload);
   const Payload& payload() const { return compensator_.payload(); }
@@ -79,6 +89,7 @@ class ContactSensing {
   };
 
   ContactObservation observe(const WrenchSample& raw);
+  void takeResidual(const WrenchSample& raw, ContactState state);
   std::optional<LineOfAction> measureLine(const WrenchSample& raw, ContactState state);
   std::optional<LineOfAction> averagedLine(const Vec3& sensor_object);
   /// Error of the mean of so many samples' forces, per axis [N]: noise and bias.
@@ -89,8 +100,11 @@ class ContactSensing {
   ContactSensingParameters parameters_;
   WrenchCompensator compensator_;
   ContactDetector detector_;
+  ResidualWatch residuals_;
   std::mt19937_64 random_;
   Wrench compensated_;
+  Vec3 taken_off_ = Vec3::Zero();  ///< bias and weight in the last sample's force [N]
+  std::optional<Wrench> residual_;
   std::optional<LineAverage> average_;  ///< of the present contact
   int averaged_contact_ = 0;            ///< contact that average_ belongs to
   std::optional<double> last_time_;

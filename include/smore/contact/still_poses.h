@@ -29,6 +29,9 @@ class StillPoses {
 
   const std::vector<StillWrench>& poses() const { return poses_; }
 
+  /// Begins anew where the robot stands: what came before on this stand does not count.
+  void interrupt() { stand_.reset(); }
+
   void clear();
 
  private:

@@ -53,6 +53,9 @@ class WrenchCompensator {
   /// processed.
   void track(const WrenchSample& raw, bool free);
 
+  /// Takes `residual`, known to `stddev` [N] on each axis, into the bias as of `time` [s].
+  void addToBias(double time, const Wrench& residual, double stddev);
+
   /// How well the force's bias is known, per axis [N]; 0 while not tared.
   double biasStddev() const { return bias_ ? bias_->stddev() : 0.0; }
 

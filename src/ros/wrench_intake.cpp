@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "wrench_intake.h"
+
+#include <ros/ros.h>
+
+#include <utility>
+
+#include "smore/ros/names.h"
+
+namespace smore {
+namespace {
+
+constexpr double kTimeJump = 1.0;  // [s]; stamps that fall by less are merely out of order
+constexpr double kFarRate = 1.5;   // times the period that the parameters say, or its inverse
+
+bool wentBack(const ros::Time& stamp, const ros::Time& last) {
+  return stamp + ros::Duration(kTimeJump) < last;
+}
+
+void warnOfDropped(const geometry_msgs::WrenchStamped& message, const std::string& problem,
+                   Throttle* warning) {
+  if (warning->isDue())
+    ROS_WARN_STREAM("wrench at " << message.header.stamp << " s dropped: " << problem);
+}
+
+void warnOfTransform(const std::string& problem, Throttle* warning) {
+  if (!problem.empty() && warning->isDue()) ROS_WARN_STREAM(problem);
+}
+
+}  // namespace
+
+WrenchIntake::WrenchIntake(const ForceTorqueParameters& parameters,
+                           std::function<void()> on_restart, OnSample on_sample)
+    : parameters_(parameters),
+      on_restart_(std::move(on_restart)),
+      on_sample_(std::move(on_sample)),
+      poses_(parameters.frames) {}
+
+void WrenchIntake::onWrench(const geometry_msgs::WrenchStamped& message) {
+  last_arrival_ = ros::WallTime::now();
+  const ros::Time& stamp = message.header.stamp;
+  if (wentBack(stamp, last_stamp_)) restart();
+  if (stamp <= last_stamp_) {
+    return warnOfDropped(message, "it is not newer than the one before; who else publishes?",
+                         &repeated_warning_);
+  }
+  const std::string problem = frameNameProblem(message.header.frame_id);
+  if (!problem.empty()) return warnOfDropped(message, problem, &frame_warning_);
+  last_stamp_ = stamp;
+  waiting_.push_back(message);
+  watchRate(stamp.toSec());
+}
+
+void WrenchIntake::onTransforms(const tf2_msgs::TFMessage& message) {
+  for (const geometry_msgs::TransformStamped& transform : message.transforms) {
+    if (transform.child_frame_id != parameters_.frames.object) continue;
+    if (wentBack(transform.header.stamp, last_pose_)) restart();
+    last_pose_ = transform.header.stamp;
+  }
+  warnOfTransform(poses_.add(message, false), &transform_warning_);
+}
+
+void WrenchIntake::onStaticTransforms(const tf2_msgs::TFMessage& message) {
+  warnOfTransform(poses_.add(message, true), &transform_warning_);
+}
+
+void WrenchIntake::handOn() {
+  while (!waiting_.empty()) {
+    const geometry_msgs::WrenchStamped& first = waiting_.front();
+    const Result<WrenchSample> sample = poses_.sampleOf(first);
+    if (sample) {
+      on_sample_(*sample, first.header.stamp);
+    } else if (!poses_.begunAfter(first.header.stamp, parameters_.transform_timeout)) {
+      if (!expired()) return;
+      warnOfDropped(first, sample.reason(), &pose_warning_);
+    }
+    waiting_.pop_front();
+  }
+}
+
+void WrenchIntake::restart() {
+  ROS_WARN("time went back: forgetting wrenches and transforms, and taring anew");
+  waiting_.clear();
+  poses_.clear();
+  last_stamp_ = last_pose_ = ros::Time();
+  rate_ = SampleRate();
+  on_restart_();
+}
+
+// Whether the first wrench waited too long, or too many wait.
+bool WrenchIntake::expired() const {
+  const double waited = (waiting_.back().header.stamp - waiting_.front().header.stamp).toSec();
+  return waited > parameters_.transform_timeout || waiting_.size() >= names::kStreamQueue;
+}
+
+void WrenchIntake::watchRate(double time) {
+  rate_.add(time);
+  const double told = parameters_.sensing.noise.sample_period;
+  const double ratio = rate_.period().value_or(told) / told;
+  const bool far = ratio > kFarRate || ratio < 1.0 / kFarRate;
+  if (far && !rate_told_)
+    ROS_WARN_STREAM("wrenches come every " << *rate_.period() << " s, noise/sample_period says "
+                                           << told << " s; correct it there, or find out why");
+  rate_told_ = far;
+}
+
+}  // namespace smore
