@@ -51,8 +51,11 @@ SensorNoise readNoise(ParameterReader reader) {
 
 Payload readPayload(ParameterReader reader) {
   Payload payload;
-  reader.number("mass", &payload.mass, {0.0, 100.0});
-  reader.vector("center_of_mass", &payload.center_of_mass_object, {-10.0, 10.0});
+  Vec3 center_object = Vec3::Zero();
+  reader.number("mass", &payload.mass, {-100.0, 100.0});
+  reader.vector("center_of_mass", &center_object, {-10.0, 10.0});
+  reader.vector("moment", &payload.moment_object, {-100.0, 100.0});
+  payload.moment_object += payload.mass * center_object;
   reader.number("unknown_mass", &payload.unknown_mass, {0.0, 100.0});
   reader.finishNested();
   return payload;

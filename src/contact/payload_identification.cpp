@@ -11,8 +11,10 @@ namespace smore {
 namespace {
 
 constexpr size_t kLeastPoses = 3;
-constexpr double kLeastTilt = 0.2;           // [rad]
-constexpr double kMostForceResidual = 1.0;   // [N]; noise and drift leave less
+constexpr double kLeastTilt = 0.2;          // [rad]
+constexpr double kMostForceResidual = 1.0;  // [N]; noise and drift leave less
+// Where a controller has been told too much, it takes off this much more at most [kg].
+constexpr double kMostNegativeMass = 0.5;
 constexpr double kMostTorqueResidual = 0.1;  // [N m]
 
 Eigen::Matrix3d crossMatrix(const Vec3& v) {
@@ -81,11 +83,11 @@ std::string poseProblem(const std::vector<StillWrench>& poses) {
 
 std::string fitProblem(const IdentifiedPayload& found) {
   std::ostringstream problem;
-  if (!(found.payload.mass > 0.0)) {
+  if (!(found.payload.mass >= -kMostNegativeMass)) {
     problem
         << "the payload's mass would be " << found.payload.mass
-        << " kg; check the wrench's sign (what acts on the object: weight points down) and that "
-           "the world's z axis points up";
+        << " kg; check the wrench's sign (what acts on the object: weight points down), that the "
+           "world's z axis points up, and what payload the controller takes off";
   } else if (found.force_residual > kMostForceResidual ||
              found.torque_residual > kMostTorqueResidual) {
     problem << "no payload explains the wrenches: " << found.force_residual << " N and "
@@ -122,9 +124,9 @@ Result<IdentifiedPayload> identifyPayload(const std::vector<StillWrench>& poses)
   }
   const Fit force = forces.solve();
   const Fit torque = torques.solve();
-  const double mass = force.unknowns[0];
   IdentifiedPayload found;
-  found.payload = {mass, poses.back().sensor_object + Vec3(torque.unknowns / mass)};
+  const double mass = force.unknowns[0];
+  found.payload = {mass, mass * poses.back().sensor_object + torque.unknowns};
   found.sensor_bias = {force.bias, torque.bias};
   found.force_residual = force.residual;
   found.torque_residual = torque.residual;

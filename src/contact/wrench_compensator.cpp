@@ -125,7 +125,7 @@ void WrenchCompensator::finishTare(const WrenchSample& last) {
 Wrench WrenchCompensator::weight(const Pose& T_world_object) const {
   Wrench weight;
   weight.force = payload_.mass * gravityIn(T_world_object);
-  weight.torque = payload_.center_of_mass_object.cross(weight.force);
+  weight.torque = payload_.moment_object.cross(gravityIn(T_world_object));
   return weight;
 }
 

@@ -22,10 +22,17 @@ constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
 constexpr double kZeroingShows = 0.5;   // [s] from a driver's zeroing until it has come through
 
 std::string describe(const IdentifiedPayload& found) {
+  constexpr double kLeastMass = 0.05;  // [kg]; of less the centre is not known to a decimetre
+  const Payload& payload = found.payload;
   std::ostringstream text;
-  text << "the payload is " << found.payload.mass << " kg at ("
-       << found.payload.center_of_mass_object.transpose() << ") m in the object frame; "
-       << found.force_residual << " N and " << found.torque_residual << " N m are left over";
+  text << "the payload is " << payload.mass << " kg ";
+  if (payload.mass < kLeastMass) {
+    text << "with a moment of (" << payload.moment_object.transpose() << ") kg m";
+  } else {
+    text << "at (" << (payload.moment_object / payload.mass).transpose() << ") m";
+  }
+  text << " in the object frame; " << found.force_residual << " N and " << found.torque_residual
+       << " N m are left over";
   return text.str();
 }
 

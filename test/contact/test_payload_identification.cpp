@@ -33,12 +33,12 @@ class Wrist {
  public:
   Wrist(const SensorNoise& noise, unsigned seed) : noise_(noise), random_(seed) {
     std::uniform_real_distribution<double> mass(0.8, 2.0);
-    payload_.mass = mass(random_);
-    payload_.center_of_mass_object = sensor_object_ + Vec3(0, 0, 0.12) + gaussian(0.04);
+    payload_ = payloadAt(mass(random_), sensor_object_ + Vec3(0, 0, 0.12) + gaussian(0.04));
     bias_.force = gaussian(10.0);
     bias_.torque = gaussian(0.5);
   }
 
+  void carry(const Payload& payload) { payload_ = payload; }
   void touch(const Wrench& contact) { contact_ = contact; }
 
   void standAt(const Vec3& rpy) {
@@ -59,7 +59,9 @@ class Wrist {
     return std::abs(found.payload.mass / payload_.mass - 1.0);
   }
   double centerError(const IdentifiedPayload& found) const {
-    return (found.payload.center_of_mass_object - payload_.center_of_mass_object).norm();
+    return (found.payload.moment_object / found.payload.mass -
+            payload_.moment_object / payload_.mass)
+        .norm();
   }
 
  private:
@@ -70,14 +72,15 @@ class Wrist {
   void read(const Pose& T_world_object, double duration, StillPoses* listener) {
     Pose T_object_sensor = Pose::Identity();
     T_object_sensor.translation() = sensor_object_;
-    const Vec3 weight = payload_.mass * gravityIn(T_world_object);
-    const Vec3 lever = payload_.center_of_mass_object - sensor_object_;
+    const Vec3 gravity = gravityIn(T_world_object);
+    const Vec3 weight = payload_.mass * gravity;
+    const Vec3 moment = payload_.moment_object - payload_.mass * sensor_object_;
     for (const double end = time_ + duration; time_ < end; time_ += noise_.sample_period) {
       bias_.force += gaussian(noise_.force_drift * std::sqrt(noise_.sample_period));
       if (listener == nullptr) continue;
       const Wrench reading{
           weight + contact_.force + bias_.force + gaussian(noise_.force_stddev),
-          lever.cross(weight) + contact_.torque + bias_.torque + gaussian(noise_.torque_stddev)};
+          moment.cross(gravity) + contact_.torque + bias_.torque + gaussian(noise_.torque_stddev)};
       listener->add(
           {time_, transformWrench(T_object_sensor, reading), T_world_object, sensor_object_});
     }
@@ -155,6 +158,20 @@ TEST(IdentifyPayload, losesAccuracyToDrift) {
   EXPECT_GT(drifting.mass, 1.5 * still.mass);
 }
 
+// What is left where the controller takes off a payload that was set not quite right.
+TEST(IdentifyPayload, takesSmallMassesOfEitherSignWithTheirMoment) {
+  for (const double mass : {-0.3, -1e-3, 0.0, 1e-9, 0.02}) {
+    const Payload left{mass, Vec3(0.03, -0.02, 0.05)};
+    Wrist wrist(SensorNoise(), 102);
+    wrist.carry(left);
+    wrist.visit(star(kTilt));
+    const auto found = identifyPayload(wrist.poses().poses());
+    ASSERT_TRUE(found) << found.reason();
+    EXPECT_NEAR(found->payload.mass, mass, 1e-9);
+    EXPECT_LT((found->payload.moment_object - left.moment_object).norm(), 1e-9);
+  }
+}
+
 TEST(IdentifyPayload, refusesTooFewAndTooSimilarPoses) {
   Wrist few(SensorNoise(), 101);
   few.standAt({0, 0, 0});
@@ -192,16 +209,16 @@ TEST(IdentifyPayload, refusesAWrenchOfTheWrongSign) {
 }
 
 TEST(PayloadTilts, sufficeWithTheLevelPoseWhateverItsYaw) {
-  const Payload payload{1.3, Vec3(0.01, 0.02, 0.1)};
+  const Payload payload = payloadAt(1.3, Vec3(0.01, 0.02, 0.1));
   const Pose level = makePose(Vec3(0.5, 0.1, 0.2), Vec3(0, 0, 1.0));
   std::vector<Pose> poses = payloadTilts(level, kTilt);
   for (const Pose& pose : poses) EXPECT_NEAR(angleBetween(level, pose), kTilt, 1e-12);
   poses.push_back(level);
   std::vector<StillWrench> still;
   for (const Pose& pose : poses) {
-    const Vec3 weight = payload.mass * gravityIn(pose);
+    const Vec3 gravity = gravityIn(pose);
     still.push_back(
-        {0.0, {weight, payload.center_of_mass_object.cross(weight)}, pose, Vec3::Zero()});
+        {0.0, {payload.mass * gravity, payload.moment_object.cross(gravity)}, pose, Vec3::Zero()});
   }
   const auto found = identifyPayload(still);
   ASSERT_TRUE(found) << found.reason();

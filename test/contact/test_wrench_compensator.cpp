@@ -41,8 +41,10 @@ TEST(WrenchCompensator, refusesAMovingRobotAndTriesAgain) {
   EXPECT_TRUE(compensator.tareProblem().empty());
 }
 
-TEST(WrenchCompensator, takesThePayloadsWeightOffInEveryPose) {
-  const Payload payload{1.2, Vec3(0.05, -0.02, 0.1)};
+class PayloadOf : public ::testing::TestWithParam<Payload> {};
+
+TEST_P(PayloadOf, itsWeightIsTakenOffInEveryPose) {
+  const Payload payload = GetParam();
   TareParameters parameters;
   parameters.samples = 2;
   WrenchCompensator compensator(parameters, payload);
@@ -51,10 +53,11 @@ TEST(WrenchCompensator, takesThePayloadsWeightOffInEveryPose) {
   std::uniform_real_distribution<double> angle(-M_PI, M_PI);
   for (int i = 0; i < 100; ++i) {
     const Pose pose = makePose(Vec3::Zero(), Vec3(angle(random), angle(random), angle(random)));
-    const Vec3 weight = pose.linear().transpose() * Vec3(0, 0, -1.2 * 9.80665);
+    const Vec3 gravity = pose.linear().transpose() * Vec3(0, 0, -9.80665);
     const Wrench contact{Vec3(4, 5, 6), Vec3(0.4, 0.5, 0.6)};
     const bool taring = i < 2;
-    Wrench raw{bias.force + weight, bias.torque + payload.center_of_mass_object.cross(weight)};
+    Wrench raw{bias.force + payload.mass * gravity,
+               bias.torque + payload.moment_object.cross(gravity)};
     if (!taring) raw = {raw.force + contact.force, raw.torque + contact.torque};
     const auto wrench = compensator.process(sampleOf(raw, pose));
     ASSERT_EQ(wrench.has_value(), !taring);
@@ -63,6 +66,11 @@ TEST(WrenchCompensator, takesThePayloadsWeightOffInEveryPose) {
     EXPECT_TRUE(wrench->torque.isApprox(contact.torque, 1e-9));
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Masses, PayloadOf,
+                         ::testing::Values(payloadAt(1.2, Vec3(0.05, -0.02, 0.1)),
+                                           Payload{0.0, Vec3(0.03, -0.02, 0.05)},
+                                           Payload{-0.2, Vec3(-0.02, 0.01, -0.03)}));
 
 }  // namespace
 }  // namespace smore

@@ -5,12 +5,19 @@
 
 namespace smore {
 
-/// What the wrist sensor carries besides the contact.
+/// What the wrist sensor carries besides the contact, as far as nobody else has taken it off: where
+/// a controller takes off the weight that was set there, the rest is small, and of either sign.
 struct Payload {
-  double mass = 0.0;                          ///< [kg], not negative
-  Vec3 center_of_mass_object = Vec3::Zero();  ///< in the object frame [m]
+  double mass = 0.0;                  ///< [kg]; negative where too much was taken off
+  Vec3 moment_object = Vec3::Zero();  ///< mass times centre of mass, in the object frame [kg m]; it
+                                      ///< may be finite where the mass is zero
   double unknown_mass = 0.0;  ///< what may be carried beyond it [kg], not negative; 0: nothing
 };
+
+/// A payload of `mass` [kg] with its centre of mass at `center_object` in the object frame [m].
+inline Payload payloadAt(double mass, const Vec3& center_object) {
+  return {mass, mass * center_object};
+}
 
 /// Gravity in the axes of the object frame [m/s^2].
 inline Vec3 gravityIn(const Pose& T_world_object) {

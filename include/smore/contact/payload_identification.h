@@ -28,7 +28,7 @@ struct IdentifiedPayload {
 /// staying where it is.
 std::vector<Pose> payloadTilts(const Pose& level, double tilt);
 
-/// Mass, centre of mass and sensor bias by least squares.
+/// Mass, moment (mass times centre of mass) and sensor bias by least squares.
 ///
 /// With gravity g_i in the object's axes at pose i, and all torques about the sensor's origin s,
 ///   F_i = b_F + m g_i,    T_i = b_T + m (c - s) x g_i,
@@ -38,8 +38,9 @@ std::vector<Pose> payloadTilts(const Pose& level, double tilt);
 /// distance from its mean over the n poses, in the two directions in which it moved least.
 ///
 /// A failure, with the remedy: fewer than three poses; a tilt below 0.2 rad (five poses, level and
-/// turned by 0.32 rad to and fro about two horizontal axes, have it); a mass that is not positive;
-/// a residual of more than 1 N or 0.1 N m (something touched, or the robot moved).
+/// turned by 0.32 rad to and fro about two horizontal axes, have it); a mass below -0.5 kg (small
+/// masses of either sign are left where a controller takes off the payload that was set there); a
+/// residual of more than 1 N or 0.1 N m (something touched, or the robot moved).
 Result<IdentifiedPayload> identifyPayload(const std::vector<StillWrench>& poses);
 
 }  // namespace smore
