@@ -44,6 +44,11 @@ RetrievalOutcome Retrieval::run() {
   outcome_ = {};
   progress_ = {};
   Plan plan;
+  if (atGoal()) {
+    finish(true, "the object was at the goal already");
+    enter(Phase::kFinished);
+    return outcome_;
+  }
   while (findPlan(&plan) && !execute(plan)) {
   }
   outcome_.collisions = progress_.collisions;
@@ -52,11 +57,14 @@ RetrievalOutcome Retrieval::run() {
   return outcome_;
 }
 
-bool Retrieval::atGoal() const {
-  const Pose pose = robot_->pose();
-  return distanceBetween(pose, parameters_.goal) <= parameters_.goal_position_tolerance &&
-         angleBetween(pose, parameters_.goal) <= parameters_.goal_angle_tolerance;
+bool isAtGoal(const RetrievalParameters& parameters, const Pose& T_world_object) {
+  return distanceBetween(T_world_object, parameters.goal) <= parameters.goal_position_tolerance &&
+         angleBetween(T_world_object, parameters.goal) <= parameters.goal_angle_tolerance;
 }
+
+bool Retrieval::atGoal() const { return isAtGoal(parameters_, robot_->pose()); }
+
+bool Retrieval::stopped() { return stop_requested_ && finish(false, "stopped by the user"); }
 
 void Retrieval::enter(Phase phase) {
   progress_.phase = phase;
@@ -66,11 +74,8 @@ void Retrieval::enter(Phase phase) {
 bool Retrieval::findPlan(Plan* plan) {
   std::string reason;
   for (int failed = 0; failed < parameters_.max_failed_plans; ++failed) {
-    if (stop_requested_) {
-      finish(false, "stopped by the user");
-      return false;
-    }
     enter(Phase::kPlanning);
+    if (stopped()) return false;
     const auto begin = SteadyClock::now();
     Result<Plan> result = planner_->plan(robot_->pose(), parameters_.goal);
     if (!result) {
@@ -87,6 +92,7 @@ bool Retrieval::findPlan(Plan* plan) {
     }
     // Being at the start again is an observation too: what it shows to be free may open a path.
     enter(Phase::kResetting);
+    if (stopped()) return false;
     const MotionResult reset = robot_->reset(parameters_.start);
     if (reset.end != MotionEnd::kReached) {
       finish(false, "could not reset to the start: " + reset.reason);
@@ -107,6 +113,7 @@ MotionResult Retrieval::follow(const Plan& plan) {
 
 bool Retrieval::execute(const Plan& plan) {
   enter(Phase::kMoving);
+  if (stopped()) return true;
   const MotionResult motion = follow(plan);
   outcome_.path_length = motion.length;
   refused_ = motion.end == MotionEnd::kUnreachable ? refused_ + 1 : 0;
@@ -118,11 +125,10 @@ bool Retrieval::execute(const Plan& plan) {
       return atGoal() && finish(true, "the object is at the goal");
     case MotionEnd::kContact:
       ++progress_.collisions;
-      if (progress_.collisions >= parameters_.max_collisions) {
-        return finish(false, "reached the limit of " + std::to_string(parameters_.max_collisions) +
-                                 " collisions");
-      }
-      return recover();
+      if (recover()) return true;
+      return progress_.collisions >= parameters_.max_collisions &&
+             finish(false, "reached the limit of " + std::to_string(parameters_.max_collisions) +
+                               " collisions");
     case MotionEnd::kUnreachable:  // nothing moved: another plan may be within the robot's reach
       return refused_ >= parameters_.max_failed_plans && finish(false, motion.reason);
     case MotionEnd::kFault:
@@ -140,6 +146,7 @@ bool Retrieval::recover() {
   last_contact_pose_ = contact_pose;
   const bool reset = parameters_.on_contact == OnContact::kReset || repeated;
   enter(reset ? Phase::kResetting : Phase::kRetreating);
+  if (stopped()) return true;
   const MotionResult motion =
       reset ? robot_->reset(parameters_.start) : robot_->retreat(parameters_.retreat_distance);
   return motion.end != MotionEnd::kReached &&

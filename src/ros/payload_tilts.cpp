@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "smore/contact/payload_identification.h"
+#include "smore/ros/interruptible_call.h"
 #include "smore/ros/names.h"
 
 namespace smore {
@@ -40,7 +41,9 @@ std::string identifyPayloadByTilting(RosRobot* robot, ros::NodeHandle* node, dou
   ros::ServiceClient identify =
       node->serviceClient<std_srvs::Trigger>(names::kListenerIdentifyPayload);
   std_srvs::Trigger call;
-  if (!identify.call(call)) call.response.message = "'" + identify.getService() + "' fails";
+  const auto given_up = [robot] { return robot->stopRequested(); };
+  if (!callInterruptibly(identify, &call, given_up))
+    call.response.message = "'" + identify.getService() + "' fails";
   return call.response.success != 0 ? "" : failed + call.response.message;
 }
 

@@ -54,6 +54,7 @@ class PlannerNode {
   PlannerNode(const PlannerNodeParameters& parameters, const Scenario& scenario)
       : parameters_(parameters),
         start_(scenario.start),
+        space_(scenario.motionSpace()),
         replica_(parameters.method, scenario, parameters.seed, parameters.search) {
     maps_ = node_.serviceClient<smore_msgs::TwinMaps>(names::kTwinMaps);
     path_ = node_.advertise<nav_msgs::Path>(names::kPath, names::kLatestQueue, true);
@@ -156,11 +157,16 @@ class PlannerNode {
     const PoseAssessment assessment = replica_.assess(*pose, start_);
     response.valid = static_cast<unsigned char>(assessment.valid);
     response.risk = assessment.risk;
+    if (!assessment.valid) {
+      const std::string outside = space_.whyOutside(*pose);
+      response.message = outside.empty() ? "the object would touch what is occupied" : outside;
+    }
     return true;
   }
 
   PlannerNodeParameters parameters_;
   Pose start_;
+  MotionSpace space_;
   MethodReplica replica_;
   std::uint64_t revision_ = 0;
   ros::Time stamp_;

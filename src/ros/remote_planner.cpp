@@ -2,6 +2,7 @@
 #include "smore/ros/remote_planner.h"
 
 #include "smore/ros/conversions.h"
+#include "smore/ros/interruptible_call.h"
 #include "smore/ros/messages.h"
 #include "smore/ros/names.h"
 
@@ -27,7 +28,7 @@ RemotePlanner::RemotePlanner(const std::string& world_frame, const RosRobot* rob
 }
 
 bool RemotePlanner::waitUntilReady(double timeout) {
-  return client_.waitForExistence(ros::Duration(timeout));
+  return waitForService(&client_, timeout, [this] { return robot_->stopRequested(); });
 }
 
 Result<Plan> RemotePlanner::plan(const Pose& start, const Pose& goal) {
@@ -44,7 +45,8 @@ Result<Plan> RemotePlanner::ask(const Pose& start, const Pose& goal, bool relaxe
   call.request.goal = stamped(goal, world_frame_);
   call.request.relaxed = static_cast<unsigned char>(relaxed);
   call.request.not_before.fromSec(robot_->stamp());
-  if (!client_.call(call)) return noAnswer(client_.getService());
+  const auto given_up = [this] { return robot_->stopRequested(); };
+  if (!callInterruptibly(client_, &call, given_up)) return noAnswer(client_.getService());
   if (call.response.success == 0) return Failure{call.response.message};
   const Result<Path> path = fromMessage(call.response.path);
   if (!path) return Failure{path.reason()};
@@ -60,7 +62,8 @@ Result<Path> RemoteTouchPlanner::nextTouch(const Pose& from) {
   smore_msgs::PlanTouch call;
   call.request.start = stamped(from, world_frame_);
   call.request.not_before.fromSec(robot_->stamp());
-  if (!client_.call(call)) return noAnswer(client_.getService());
+  const auto given_up = [this] { return robot_->stopRequested(); };
+  if (!callInterruptibly(client_, &call, given_up)) return noAnswer(client_.getService());
   if (call.response.enough != 0) return Path();
   if (call.response.success == 0) return Failure{call.response.message};
   return fromMessage(call.response.path);

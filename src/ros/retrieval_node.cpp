@@ -4,8 +4,8 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
-#include <atomic>
 #include <filesystem>
+#include <mutex>
 
 #include "smore/retrieval/reconstruction.h"
 #include "smore/retrieval/retrieval.h"
@@ -67,7 +67,7 @@ class RetrievalNode {
             node_, names::kRetrieve, [this](const auto& goal) { execute(*goal); }, false) {
     maps_ = node_.serviceClient<smore_msgs::SaveMaps>(names::kSaveMaps);
     stop_ = node_.advertiseService(names::kStop, &RetrievalNode::onStop, this);
-    server_.registerPreemptCallback([this] { stopMotion(); });
+    server_.registerPreemptCallback([this] { robot_.requestStop(); });
     server_.start();
   }
 
@@ -100,8 +100,15 @@ class RetrievalNode {
  private:
   using Server = actionlib::SimpleActionServer<smore_msgs::RetrieveAction>;
 
+  /// Ends the goal that is active, and one that has come but not begun.
   bool onStop(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
-    stopMotion();
+    const std::lock_guard<std::mutex> lock(stop_mutex_);
+    if (server_.isNewGoalAvailable()) stop_next_ = true;
+    if (stop_next_ || server_.isActive()) {
+      robot_.requestStop();
+    } else {
+      robot_.halt();
+    }
     response.success = static_cast<unsigned char>(true);
     response.message = "the robot was told to stop";
     return true;
@@ -109,21 +116,22 @@ class RetrievalNode {
 
   /// The stop goes out before ROS ends, and the retrieval has a moment to say how it ended.
   void endAtRest() {
-    stopMotion();
+    robot_.requestStop();
     const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kLastWords);
     while (server_.isActive() && ros::ok() && ros::WallTime::now() < deadline) {
       ros::WallDuration(kLookPeriod).sleep();
     }
   }
 
-  void stopMotion() {
-    robot_.requestStop();
-    stop_requested_ = true;
+  /// A wish to stop that came before the goal began counts as one that comes later.
+  void takeEarlyStop() {
+    const std::lock_guard<std::mutex> lock(stop_mutex_);
+    if (stop_next_ || server_.isPreemptRequested() || shutdown_.pending()) robot_.requestStop();
+    stop_next_ = false;
   }
 
   void execute(const smore_msgs::RetrieveGoal& goal) {
-    stop_requested_ = false;
-    robot_.clearStop();
+    takeEarlyStop();
     const ros::WallTime begin = ros::WallTime::now();
     RetrievalOutcome outcome = attempt(goal);
     RetrievalSummary summary;
@@ -131,8 +139,12 @@ class RetrievalNode {
     summary.method = methodName(parameters_.method);
     summary.wall_s = (ros::WallTime::now() - begin).toSec();
     summary.outcome = outcome;
+    summary.cancelled = !outcome.success && robot_.stopRequested();
+    // Who cancels waits for the answer, not for the maps.
+    if (summary.cancelled) finish(outcome);
     report(summary);
-    finish(outcome);
+    if (!summary.cancelled) finish(outcome);
+    robot_.clearStop();
   }
 
   RetrievalOutcome attempt(const smore_msgs::RetrieveGoal& goal) {
@@ -147,10 +159,21 @@ class RetrievalNode {
       if (!pose) return outcome;
       parameters.goal = *pose;
     }
-    outcome.reason = waitUntilReady();
-    if (outcome.reason.empty()) outcome.reason = identifyPayload();
+    outcome.reason = beforeMotion(parameters);
+    if (robot_.stopRequested()) outcome.reason = "stopped by the user";
     if (!outcome.reason.empty()) return outcome;
     return scenario_.task == Task::kReconstruct ? touch() : retrieve(parameters);
+  }
+
+  /// What hinders a retrieval to begin; empty where nothing does. The weight is found by motions
+  /// that an object at its goal is spared.
+  std::string beforeMotion(const RetrievalParameters& parameters) {
+    const bool retrieves = scenario_.task == Task::kRetrieve;
+    const std::string outside = scenario_.motionSpace().whyOutside(parameters.goal);
+    if (retrieves && !outside.empty()) return "the goal " + outside;
+    std::string problem = waitUntilReady();
+    if (!problem.empty()) return problem;
+    return retrieves && isAtGoal(parameters, robot_.pose()) ? "" : identifyPayload();
   }
 
   std::string waitUntilReady() {
@@ -171,7 +194,7 @@ class RetrievalNode {
   RetrievalOutcome retrieve(const RetrievalParameters& parameters) {
     Retrieval retrieval(parameters, &robot_, &planner_, [this, &retrieval](const auto& progress) {
       show(progress);
-      if (stop_requested_) retrieval.requestStop();
+      if (robot_.stopRequested()) retrieval.requestStop();
     });
     return retrieval.run();
   }
@@ -182,7 +205,7 @@ class RetrievalNode {
     parameters.retreat_distance = parameters_.retreat_distance;
     return reconstruct(
         parameters, &robot_, &touches, [this](const auto& progress) { show(progress); },
-        [this] { return stop_requested_.load(); });
+        [this] { return robot_.stopRequested(); });
   }
 
   void show(const RetrievalProgress& progress) {
@@ -230,7 +253,8 @@ class RetrievalNode {
   RemotePlanner planner_;
   ros::ServiceClient maps_;
   ros::ServiceServer stop_;
-  std::atomic<bool> stop_requested_{false};
+  std::mutex stop_mutex_;
+  bool stop_next_ = false;  ///< guarded by stop_mutex_: the goal that has not begun is to end
   ShutdownRequest shutdown_;
   Server server_;
 };

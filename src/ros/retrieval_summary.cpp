@@ -22,7 +22,8 @@ std::string toText(const RetrievalSummary& summary) {
   const RetrievalOutcome& outcome = summary.outcome;
   std::ostringstream text;
   text << std::fixed << std::setprecision(2);
-  text << (outcome.success ? "SUCCESS: " : "FAILED: ") << outcome.reason << "\n"
+  const char* failure = summary.cancelled ? "CANCELLED: " : "FAILED: ";
+  text << (outcome.success ? "SUCCESS: " : failure) << outcome.reason << "\n"
        << "  scenario     " << summary.scenario << ", method " << summary.method << "\n"
        << "  collisions   " << outcome.collisions << "\n"
        << "  plans        " << outcome.plans << ", " << outcome.planning_s << " s\n"
@@ -35,12 +36,17 @@ bool writeJson(const RetrievalSummary& summary, const std::string& file) {
   const RetrievalOutcome& outcome = summary.outcome;
   nlohmann::json path = nlohmann::json::array();
   for (const Pose& pose : outcome.path) path.push_back(poseJson(pose));
-  const nlohmann::json json = {
-      {"scenario", summary.scenario},       {"method", summary.method},
-      {"success", outcome.success},         {"reason", outcome.reason},
-      {"collisions", outcome.collisions},   {"plans", outcome.plans},
-      {"path_length", outcome.path_length}, {"planning_s", outcome.planning_s},
-      {"wall_s", summary.wall_s},           {"path", path}};
+  const nlohmann::json json = {{"scenario", summary.scenario},
+                               {"method", summary.method},
+                               {"success", outcome.success},
+                               {"cancelled", summary.cancelled},
+                               {"reason", outcome.reason},
+                               {"collisions", outcome.collisions},
+                               {"plans", outcome.plans},
+                               {"path_length", outcome.path_length},
+                               {"planning_s", outcome.planning_s},
+                               {"wall_s", summary.wall_s},
+                               {"path", path}};
   std::ofstream stream(file);
   constexpr int kIndent = 2;
   stream << json.dump(kIndent) << "\n";

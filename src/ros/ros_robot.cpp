@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "smore/ros/interruptible_call.h"
 #include "smore/ros/names.h"
 #include "smore/ros/sensor_zero.h"
 
@@ -55,7 +56,8 @@ RosRobot::RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCo
 
 std::string RosRobot::waitUntilReady() {
   if (!parameters_.zero_service.empty()) {
-    std::string problem = zeroSensor(&node_, parameters_.zero_service, parameters_.ready_timeout);
+    std::string problem = zeroSensor(&node_, parameters_.zero_service, parameters_.ready_timeout,
+                                     [this] { return stopRequested(); });
     if (!problem.empty()) return problem;
   }
   stream_.open();
@@ -64,7 +66,8 @@ std::string RosRobot::waitUntilReady() {
   std::string missing = "no contact observations on '" + contact_.getTopic() +
                         "'; is the force_torque node up, and does it get wrenches and transforms?";
   std::string fault = guardFault();
-  while (ros::ok() && ros::WallTime::now() < deadline && !missing.empty() && fault.empty()) {
+  while (ros::ok() && ros::WallTime::now() < deadline && !missing.empty() && fault.empty() &&
+         !stop_requested_) {
     const auto observation = stream_.next(kLookPeriod);
     if (observation) missing = missingBeside(*observation);
     fault = guardFault();
@@ -74,6 +77,9 @@ std::string RosRobot::waitUntilReady() {
 }
 
 std::string RosRobot::missingBeside(const ContactObservation& observation) {
+  if (observation.state == ContactState::kContact) {
+    return "the object presses against something; move it free, then tare the sensor";
+  }
   if (observation.state != ContactState::kFree) {
     return "the sensor never says that the object is free; look at the force_torque node's log";
   }
@@ -94,8 +100,14 @@ Pose RosRobot::pose() const {
 double RosRobot::stamp() const { return stream_.latest().value_or(ContactObservation{}).time; }
 
 void RosRobot::requestStop() {
+  const std::lock_guard<std::mutex> lock(command_mutex_);
   stop_requested_ = true;
   halt();
+}
+
+void RosRobot::send(const JointTrajectory& trajectory) {
+  const std::lock_guard<std::mutex> lock(command_mutex_);
+  if (!stop_requested_) command_.publish(toMessage(trajectory));
 }
 
 MotionResult RosRobot::follow(const Path& path) {
@@ -152,6 +164,7 @@ MotionResult RosRobot::reset(const Pose& start) {
   }
   MotionResult result;
   std_srvs::Trigger call;
+  if (stop_requested_) return {MotionEnd::kStopped, "stopped by the user", 0.0};
   if (!reset_.call(call) || !call.response.success) {
     result.reason = "the service '" + reset_.getService() + "' failed: " + call.response.message;
   } else if (!waitUntilAt(start)) {
@@ -195,9 +208,9 @@ RosRobot::Motion RosRobot::begin(const Path& path) {
     return motion;
   }
   stream_.open();
-  if (stop_requested_ || trajectory->points.empty()) return motion;
+  if (trajectory->points.empty()) return motion;
   motion.progress = {now.time, here, target, trajectory->points.back().time};
-  command_.publish(toMessage(*trajectory));
+  send(*trajectory);
   return motion;
 }
 

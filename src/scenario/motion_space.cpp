@@ -2,8 +2,18 @@
 #include "smore/scenario/motion_space.h"
 
 #include <cmath>
+#include <sstream>
 
 namespace smore {
+namespace {
+
+std::string describe(const Vec3& point) {
+  std::ostringstream text;
+  text << "(" << point.x() << " " << point.y() << " " << point.z() << ")";
+  return text.str();
+}
+
+}  // namespace
 
 bool MotionSpace::contains(const Pose& T_world_object) const {
   if (!workspace.contains(T_world_object.translation())) return false;
@@ -13,6 +23,16 @@ bool MotionSpace::contains(const Pose& T_world_object) const {
   const bool in_plane = std::abs(T_plane_object.translation().z()) <= kTolerance;
   const bool upright = (T_plane_object.linear().col(2) - Vec3::UnitZ()).norm() <= kTolerance;
   return in_plane && upright;
+}
+
+std::string MotionSpace::whyOutside(const Pose& T_world_object) const {
+  if (contains(T_world_object)) return "";
+  const Vec3 position = T_world_object.translation();
+  if (workspace.contains(position)) {
+    return describe(position) + " does not lie in the plane of motion";
+  }
+  return describe(position) + " is outside of the workspace " + describe(workspace.min) + " to " +
+         describe(workspace.max);
 }
 
 }  // namespace smore

@@ -110,6 +110,18 @@ TEST_F(RetrievalTest, givesUpAtTheCollisionLimit) {
   EXPECT_FALSE(outcome.success);
   EXPECT_EQ(outcome.collisions, 7);
   EXPECT_NE(outcome.reason.find("limit of 7"), std::string::npos);
+  EXPECT_EQ(robot_.calls.back(), "reset") << "it presses still";
+}
+
+TEST_F(RetrievalTest, doesNotMoveWhatIsAtTheGoalAlready) {
+  RetrievalParameters there = parameters();
+  there.goal = makePose(Vec3(0.01, 0, 0), Vec3(0, 0, 0.05));
+  const RetrievalOutcome outcome = run(there);
+  EXPECT_TRUE(outcome.success);
+  EXPECT_EQ(outcome.plans, 0);
+  EXPECT_TRUE(robot_.calls.empty());
+  ASSERT_EQ(news_.size(), 1u);
+  EXPECT_EQ(news_[0].phase, Phase::kFinished);
 }
 
 TEST_F(RetrievalTest, triesAgainFromTheStartWithoutAPlan) {
@@ -169,6 +181,21 @@ TEST_F(RetrievalTest, endsWhenItCannotBackOff) {
   const RetrievalOutcome outcome = run(parameters());
   EXPECT_FALSE(outcome.success);
   EXPECT_NE(outcome.reason.find("stuck"), std::string::npos);
+}
+
+// Whoever asks for the stop while a plan is made may get no plan, or one.
+TEST_F(RetrievalTest, doesNotMoveWhenStoppedWhileItPlans) {
+  for (const int failures : {0, 1000}) {
+    robot_.calls.clear();
+    planner_.failures = failures;
+    Retrieval retrieval(parameters(), &robot_, &planner_, [&](const RetrievalProgress& progress) {
+      if (progress.phase != Phase::kPlanning) retrieval.requestStop();
+    });
+    const RetrievalOutcome outcome = retrieval.run();
+    EXPECT_FALSE(outcome.success);
+    EXPECT_EQ(outcome.reason, "stopped by the user");
+    EXPECT_TRUE(robot_.calls.empty());
+  }
 }
 
 TEST_F(RetrievalTest, stopsWhenAskedTo) {

@@ -95,6 +95,7 @@ class PlannerNode(unittest.TestCase):
         answer = self.check_pose(stamped(pose(5.0)))
         self.assertTrue(answer.success)
         self.assertFalse(answer.valid)
+        self.assertIn("outside of the workspace", answer.message)
         answer = self.check_pose(stamped(pose(), "elsewhere"))
         self.assertFalse(answer.success)
         self.assertIn("'elsewhere'", answer.message)

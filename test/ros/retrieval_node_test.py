@@ -3,11 +3,13 @@
 """The retrieval alone; the test plays sensor, robot and planner."""
 
 import threading
+import time
 import unittest
 
 import actionlib
 import rospy
 import rostest
+from actionlib_msgs.msg import GoalStatus, GoalStatusArray
 from nav_msgs.msg import Path
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
@@ -67,6 +69,8 @@ class RetrievalNode(unittest.TestCase):
         cls.client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
         assert cls.client.wait_for_server(DEADLINE)
         cls.refusal = ""
+        cls.may_answer = threading.Event()
+        cls.may_answer.set()
         cls.requests = []
         cls.planner = rospy.Service("plan_path", PlanPath, cls.plan)
         # Before any other test, whose last observations might still be on their way.
@@ -77,6 +81,7 @@ class RetrievalNode(unittest.TestCase):
     @classmethod
     def plan(cls, request):
         cls.requests.append(request)
+        cls.may_answer.wait()
         if cls.refusal:
             return PlanPathResponse(success=False, message=cls.refusal)
         path = Path()
@@ -85,7 +90,11 @@ class RetrievalNode(unittest.TestCase):
 
     def setUp(self):
         type(self).refusal = ""
+        self.may_answer.set()
         self.requests.clear()
+        self.commands = Recorder("command", JointTrajectory)
+        self.addCleanup(self.commands.close)
+        self.assertTrue(self.commands.wait_for_publisher())
 
     def retrieve(self, goal=None):
         self.client.send_goal(goal or RetrieveGoal())
@@ -130,8 +139,7 @@ class RetrievalNode(unittest.TestCase):
         self.assertIn("'base'", result.message)
 
     def test_a_sensor_that_falls_silent_in_a_motion_is_a_fault_and_the_robot_is_stopped(self):
-        commands = Recorder("command", JointTrajectory)
-        self.assertTrue(commands.wait_for_publisher())
+        commands = self.commands
         with FakeArm():
             self.client.send_goal(RetrieveGoal())
             self.assertIsNotNone(commands.wait_for(lambda message: message.points))
@@ -142,8 +150,7 @@ class RetrievalNode(unittest.TestCase):
         self.assertIsNotNone(commands.wait_for(lambda message: not message.points), "no stop")
 
     def test_the_stop_service_ends_the_motion(self):
-        commands = Recorder("command", JointTrajectory)
-        self.assertTrue(commands.wait_for_publisher())
+        commands = self.commands
         with FakeArm():
             self.client.send_goal(RetrieveGoal())
             self.assertIsNotNone(commands.wait_for(lambda message: message.points))
@@ -151,6 +158,81 @@ class RetrievalNode(unittest.TestCase):
             self.assertTrue(self.client.wait_for_result(DEADLINE))
         self.assertIn("stopped by the user", self.client.get_result().message)
         self.assertIsNotNone(commands.wait_for(lambda message: not message.points), "no stop")
+
+    def cancelled_within(self, seconds):
+        begin = time.monotonic()
+        self.client.cancel_goal()
+        self.assertTrue(self.client.wait_for_result(DEADLINE))
+        self.assertLess(time.monotonic() - begin, seconds)
+        self.assertEqual(self.client.get_state(), GoalStatus.PREEMPTED)
+        self.assertIn("stopped by the user", self.client.get_result().message)
+
+    def never_moved(self):
+        return not [message for message in self.commands.messages() if message.points]
+
+    def test_a_cancel_while_it_waits_for_the_sensor_is_answered_at_once(self):
+        self.client.send_goal(RetrieveGoal())
+        self.assertTrue(wait_until(lambda: self.client.get_state() == GoalStatus.ACTIVE))
+        self.cancelled_within(0.4)
+        self.assertTrue(self.never_moved())
+
+    def test_a_cancel_while_it_plans_is_answered_at_once_and_nothing_moves(self):
+        self.may_answer.clear()
+        with FakeArm():
+            self.client.send_goal(RetrieveGoal())
+            self.assertTrue(wait_until(lambda: self.requests))
+            self.cancelled_within(0.4)
+            self.may_answer.set()
+            again = self.retrieve(RetrieveGoal(goal=stamped(pose(0.0))))
+        self.assertTrue(again.success, again.message)
+        self.assertTrue(self.never_moved())
+
+    def test_a_cancel_in_motion_is_answered_at_once(self):
+        with FakeArm():
+            self.client.send_goal(RetrieveGoal())
+            self.assertIsNotNone(self.commands.wait_for(lambda message: message.points))
+            self.cancelled_within(0.4)
+
+    def test_a_stop_just_after_a_goal_has_come_is_never_lost(self):
+        stop = rospy.ServiceProxy("stop", Trigger)
+        states = Recorder("retrieve/status", GoalStatusArray)
+        self.addCleanup(states.close)
+        with FakeArm():
+            for _ in range(20):
+                states.clear()
+                self.client.send_goal(RetrieveGoal())
+                goal = self.client.gh.comm_state_machine.action_goal.goal_id.id
+                self.assertTrue(states.wait_for(lambda m: goal in [s.goal_id.id for s in m.status_list]))
+                self.assertTrue(stop().success)
+                self.assertTrue(self.client.wait_for_result(DEADLINE))
+                self.assertIn("stopped by the user", self.client.get_result().message)
+
+    def test_a_goal_cancelled_before_it_begins_never_moves(self):
+        self.may_answer.clear()
+        with FakeArm():
+            self.client.send_goal(RetrieveGoal())
+            self.assertTrue(wait_until(lambda: self.requests))
+            other = actionlib.SimpleActionClient("retrieve", RetrieveAction)
+            self.assertTrue(other.wait_for_server(DEADLINE))
+            other.send_goal(RetrieveGoal())
+            other.cancel_goal()
+            self.assertTrue(other.wait_for_result(DEADLINE))
+            self.assertEqual(other.get_state(), GoalStatus.PREEMPTED)
+            self.may_answer.set()
+        self.assertTrue(self.never_moved())
+
+    def test_a_goal_outside_of_the_workspace_is_refused_at_once(self):
+        result = self.retrieve(RetrieveGoal(goal=stamped(pose(-5.0))))
+        self.assertFalse(result.success)
+        self.assertIn("the goal (-5 0 0) is outside of the workspace", result.message)
+        self.assertFalse(self.requests)
+
+    def test_an_object_at_the_goal_is_not_moved(self):
+        with FakeArm():
+            result = self.retrieve(RetrieveGoal(goal=stamped(pose(0.0))))
+        self.assertTrue(result.success, result.message)
+        self.assertFalse(self.requests)
+        self.assertTrue(self.never_moved())
 
     def test_without_a_plan_it_gives_the_planners_reason(self):
         type(self).refusal = "the planner is on strike"

@@ -29,6 +29,9 @@ struct RetrievalParameters {
 /// The parameters that the scenario fixes; the others keep their defaults.
 RetrievalParameters retrievalParameters(const Scenario& scenario);
 
+/// Whether a pose is at the goal, within the tolerances.
+bool isAtGoal(const RetrievalParameters& parameters, const Pose& T_world_object);
+
 enum class Phase { kPlanning, kMoving, kResetting, kRetreating, kFinished };
 
 /// The phase in one word, for people.
@@ -70,7 +73,8 @@ class Retrieval {
   Retrieval(const RetrievalParameters& parameters, Robot* robot, Planner* planner,
             ProgressCallback on_progress, MotionObserver* motions = nullptr);
 
-  /// Runs until the goal, the collision limit, a fault, or `requestStop`.
+  /// Runs until the goal, the collision limit, a fault, or `requestStop`. It does not move where
+  /// the object is at the goal already, and after the last collision it backs off.
   RetrievalOutcome run();
 
   /// Ends `run` at the next change of phase; from any thread. The robot's own stop is the caller's.
@@ -78,6 +82,8 @@ class Retrieval {
 
  private:
   bool atGoal() const;
+  /// Whether the user asked for the end, which is now.
+  bool stopped();
   void enter(Phase phase);
   /// A path from where the robot is; resets to the start where there is none from elsewhere.
   bool findPlan(Plan* plan);

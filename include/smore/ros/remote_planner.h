@@ -11,7 +11,8 @@
 
 namespace smore {
 
-/// The planner node, asked for paths on maps that hold everything that the robot has felt.
+/// The planner node, asked for paths on maps that hold everything that the robot has felt. A call
+/// fails at once when the robot is told to stop.
 class RemotePlanner : public Planner {
  public:
   /// Poses are those of the object in `world_frame`. The robot must outlive this.
@@ -32,7 +33,8 @@ class RemotePlanner : public Planner {
   ros::ServiceClient client_;
 };
 
-/// The planner node, asked for touches on maps that hold everything that the robot has felt.
+/// The planner node, asked for touches on maps that hold everything that the robot has felt. A call
+/// fails at once when the robot is told to stop.
 class RemoteTouchPlanner : public TouchPlanner {
  public:
   /// As for RemotePlanner.

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -52,10 +53,13 @@ class RosRobot : public Robot {
   /// Stamp of the newest observation [s]: maps that hold it know all that happened.
   double stamp() const;
 
-  /// Ends the present motion and refuses further ones; from any thread.
+  /// Ends the present motion and refuses further ones, and whatever waits returns; from any thread.
   void requestStop();
+  bool stopRequested() const { return stop_requested_; }
   /// Allows motions again.
   void clearStop() { stop_requested_ = false; }
+  /// Stops the robot where it is; from any thread.
+  void halt();
 
  private:
   enum class Step { kGoOn, kArrived, kStalled, kContact, kFault };
@@ -70,7 +74,8 @@ class RosRobot : public Robot {
   Step advance(Motion* motion);
   /// One motion along `back`, to its end or until the robot stands.
   MotionResult goBack(const Path& back);
-  void halt();
+  /// Sends a motion unless the user has asked for the stop.
+  void send(const JointTrajectory& trajectory);
   MotionResult end(const Motion& motion, MotionEnd how);
   /// Stops the robot; by the user's wish or at a fault.
   MotionResult endStopped(const Motion& motion);
@@ -91,7 +96,8 @@ class RosRobot : public Robot {
   ros::Subscriber contact_;
   ros::ServiceClient reset_;
   ros::AsyncSpinner spinner_{1, &queue_};
-  Trail trail_;  ///< since the last reset
+  Trail trail_;               ///< since the last reset
+  std::mutex command_mutex_;  ///< so that no motion is sent after the stop that forbids it
   std::atomic<bool> stop_requested_{false};
 };
 

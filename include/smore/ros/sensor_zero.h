@@ -3,13 +3,15 @@
 
 #include <ros/ros.h>
 
+#include <functional>
 #include <string>
 
 namespace smore {
 
 /// Zeroes the wrist sensor by its driver's service (std_srvs/Trigger) and has the listener tare
-/// anew. The object must hang free. Waits for each service up to `timeout` [s of wall time]; why it
-/// failed, else empty.
-std::string zeroSensor(ros::NodeHandle* node, const std::string& zero_service, double timeout);
+/// anew. The object must hang free. Waits for each service up to `timeout` [s of wall time], and no
+/// longer than until `given_up` says so; why it failed, else empty.
+std::string zeroSensor(ros::NodeHandle* node, const std::string& zero_service, double timeout,
+                       const std::function<bool()>& given_up);
 
 }  // namespace smore

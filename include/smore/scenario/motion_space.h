@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "smore/common/geometry.h"
 
 namespace smore {
@@ -22,6 +24,9 @@ struct MotionSpace {
   /// Whether the origin is in the workspace and, for planar motion, the pose lies in the plane (to
   /// 1e-6 m and rad).
   bool contains(const Pose& T_world_object) const;
+
+  /// Why it does not contain the pose, in words for the user; empty where it does.
+  std::string whyOutside(const Pose& T_world_object) const;
 };
 
 }  // namespace smore
