@@ -166,6 +166,33 @@ const SampledWorlds& JointBelief::worlds() const {
   return worlds_;
 }
 
+std::vector<std::optional<Vec3>> JointBelief::placesOf(const Pose& T_world_object,
+                                                       const LineOfAction& line) const {
+  refresh();
+  const auto observed = contactHypotheses(T_map_world_ * T_world_object, line, parameters_.feature,
+                                          parameters_.T_world_plane.has_value());
+  const auto contact = std::find_if(
+      contacts_.begin(), contacts_.end(),
+      [&](const ContactHypotheses& known) { return observed && known.id == observed->id; });
+  std::vector<std::optional<Vec3>> places;
+  if (contact == contacts_.end()) return places;
+  for (const Explanation& explanation : explanations_) {
+    const int i = explanation[contact - contacts_.begin()];
+    places.emplace_back();
+    if (i == kFalseContact) continue;
+    const Eigen::Vector3f depth =
+        static_cast<float>(parameters_.feature.radius) * contact->object_normal.at(i);
+    places.back() = (contact->object.at(i) - depth).cast<double>();
+  }
+  return places;
+}
+
+void JointBelief::drawAnew(std::uint64_t seed) {
+  parameters_.seed = seed;
+  stale_ = true;
+  ++revision_;
+}
+
 void JointBelief::reset() {
   evidence_.clear();
   contacts_.clear();

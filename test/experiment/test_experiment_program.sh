@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Exit codes and messages of smore_experiment and smore_rebuild, as a user meets them.
-# usage: test_experiment_program.sh SMORE_EXPERIMENT SMORE_REBUILD SCENARIO_DIRECTORY
+# Exit codes and messages of smore_experiment, smore_rebuild and smore_score, as a user meets them.
+# usage: test_experiment_program.sh SMORE_EXPERIMENT SMORE_REBUILD SMORE_SCORE SCENARIO_DIRECTORY
 set -uo pipefail
 program=$1
-scenarios=$3
+scenarios=$4
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT
 failures=0
@@ -77,4 +77,19 @@ for file in result.json maps/world.ot maps/object.ot again/deep/summary.json cut
     failures=$((failures + 1))
   fi
 done
+
+program=$3
+expect 2 "evidence is required"
+expect 2 "/nowhere: cannot be read" /nowhere
+expect 2 "not a record" "$reference"
+expect 1 "cannot be written" --output /nowhere/scores.json "$evidence"
+expect 2 "belief.radios: unknown key" --parameters "$directory/parameters.yaml" "$evidence"
+grep -v '"truth"' "$evidence" >"$directory/live.evidence"
+expect 2 "holds no true solids" "$directory/live.evidence"
+expect 0 "seed_1.evidence" --quick --output "$directory/scores.json" "$evidence" "$directory/cut.evidence"
+if ! /usr/bin/python3 "$scenarios/../../python/table_of_scores.py" "$directory/scores.json" |
+  grep '^| s_shape_two_pegs | 2 | 4 of 4 |' >"$directory/row"; then
+  echo "the table of scores does not tell the scene, its trials and touches"
+  failures=$((failures + 1))
+fi
 [ "$failures" -eq 0 ]

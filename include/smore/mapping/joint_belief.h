@@ -52,6 +52,16 @@ class JointBelief : public TwinMap {
   /// The sampled worlds; in the frames of toMap.
   const SampledWorlds& worlds() const;
 
+  /// In each world, where the object was touched by a contact that was observed at this pose with
+  /// this line [in the object frame; in planar motion in its plane]; nothing where that world holds
+  /// the contact to be false. Empty for a contact that takes no part.
+  std::vector<std::optional<Vec3>> placesOf(const Pose& T_world_object,
+                                            const LineOfAction& line) const;
+
+  /// Draws the worlds from the same evidence with other random numbers when they are next asked
+  /// for.
+  void drawAnew(std::uint64_t seed);
+
   /// The pose of the object in the map frame: in space the world. In planar motion the frame of the
   /// plane, onto which the pose is projected: an arm is never quite in it.
   Pose toMap(const Pose& T_world_object) const;

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/experiment/scored_belief.h"
+
+#include "smore/planning/contact_risk.h"
+
+namespace smore {
+
+ScoredBelief::ScoredBelief(const Scenario& task, const MethodParameters& parameters,
+                           std::uint64_t seed)
+    : method_(makeMethod(MethodKind::kSmore, task, seed, parameters)),
+      belief_(dynamic_cast<JointBelief*>(method_.maps.get())) {}
+
+double ScoredBelief::riskOf(const Path& path) const { return ContactRisk(*belief_).ofMotion(path); }
+
+double ScoredBelief::touchingShare(const Path& path) const {
+  return ContactRisk(*belief_).along(path);
+}
+
+std::vector<double> ScoredBelief::survival(const std::vector<Path>& legs) const {
+  const ContactRisk risk(*belief_);
+  const FreeSpaceEvidence& free = belief_->freeSpace();
+  const FreeSpaceParameters& cell = free.parameters();
+  const double known = std::max(1.0, static_cast<double>(free.cellCount()));
+  HypothesisMask touched = 0;
+  double fresh = 0.0;
+  std::vector<double> survival;
+  for (const Path& leg : legs) {
+    touched |= risk.touchingAlong(leg);
+    const Path poses = densify(leg, cell.position_cell, cell.angle_cell);
+    for (std::size_t i = survival.empty() ? 0 : 1; i < poses.size(); ++i) {
+      fresh += free.knows(belief_->toMap(poses[i])) ? 0.0 : 1.0;
+    }
+    const double part = static_cast<double>(survival.size() + 1) / static_cast<double>(legs.size());
+    const double share =
+        (kHypotheses * risk.worlds().shareOf(touched) + 0.5 * part) / (kHypotheses + 1.0);
+    survival.push_back((1.0 - share) * known / (known + fresh));
+  }
+  return survival;
+}
+
+std::vector<WeighedPlace> ScoredBelief::placesOf(const ContactObservation& contact) const {
+  std::vector<WeighedPlace> places;
+  if (!contact.line) return places;
+  for (const auto& place : belief_->placesOf(contact.T_world_object, *contact.line)) {
+    const HypothesisMask world = HypothesisMask{1} << places.size();
+    places.push_back({place, belief_->worlds().shareOf(world)});
+  }
+  return places;
+}
+
+}  // namespace smore
