@@ -43,7 +43,9 @@ RosRobot::RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCo
   const boost::function<void(const smore_msgs::ContactObservation&)> on_contact =
       [this](const smore_msgs::ContactObservation& message) {
         const Result<ContactObservation> observation = fromMessage(message);
-        if (observation) stream_.push(*observation);
+        if (!observation) return;
+        fault_place_.observe(observation->T_world_object, !guard_.fault().empty());
+        stream_.push(*observation);
       };
   contact_ = node_.subscribe<smore_msgs::ContactObservation>(
       names::kContact, names::kObservationQueue, on_contact, ros::VoidConstPtr(),
@@ -55,7 +57,7 @@ RosRobot::RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCo
 }
 
 std::string RosRobot::waitUntilReady() {
-  if (!parameters_.zero_service.empty()) {
+  if (!parameters_.zero_service.empty() && !fault_place_.isHere()) {
     std::string problem = zeroSensor(&node_, parameters_.zero_service, parameters_.ready_timeout,
                                      [this] { return stopRequested(); });
     if (!problem.empty()) return problem;

@@ -1,27 +1,109 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/ros/sensor_zero.h"
 
+#include <geometry_msgs/WrenchStamped.h>
+#include <ros/callback_queue.h>
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "smore/ros/conversions.h"
 #include "smore/ros/interruptible_call.h"
 #include "smore/ros/names.h"
 
 namespace smore {
+namespace {
+
+constexpr int kAveraged = 200;       // samples: 0.4 s at 500 Hz
+constexpr double kNearZero = 0.5;    // [N]; what a zeroing that comes later still could change
+constexpr double kDeviations = 2.0;  // of the mean's noise, on top of it: 99 % of means
+constexpr double kLookPeriod = 0.1;  // [s of wall time]
+
+/// Means of the raw wrench's force, over one batch of samples after the other.
+class RawForce {
+ public:
+  explicit RawForce(ros::NodeHandle* node) {
+    ros::SubscribeOptions options = ros::SubscribeOptions::create<geometry_msgs::WrenchStamped>(
+        names::kWrench, names::kStreamQueue,
+        [this](const geometry_msgs::WrenchStampedConstPtr& message) {
+          add(fromMessage(message->wrench).force);
+        },
+        ros::VoidPtr(), &queue_);
+    subscriber_ = node->subscribe(options);
+  }
+
+  /// Waits until a whole batch that began after the call is near zero; false after `timeout` [s of
+  /// wall time], and where it is given up.
+  bool comesToZero(double timeout, const std::function<bool()>& given_up) {
+    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
+    near_zero_ = false;
+    queue_.callAvailable();
+    begin();
+    while (ros::ok() && !given_up() && !near_zero_ && ros::WallTime::now() < deadline) {
+      queue_.callAvailable(ros::WallDuration(kLookPeriod));
+    }
+    return near_zero_;
+  }
+
+  /// Of the last whole batch [N].
+  double mean() const { return mean_; }
+
+ private:
+  void begin() {
+    sum_ = Vec3::Zero();
+    squares_ = 0.0;
+    count_ = 0;
+  }
+
+  void add(const Vec3& force) {
+    sum_ += force;
+    squares_ += force.squaredNorm();
+    if (++count_ < kAveraged) return;
+    const Vec3 mean = sum_ / kAveraged;
+    const double variance = std::max(0.0, squares_ / kAveraged - mean.squaredNorm());
+    mean_ = mean.norm();
+    near_zero_ = mean_ <= kNearZero + kDeviations * std::sqrt(variance / kAveraged);
+    begin();
+  }
+
+  ros::CallbackQueue queue_;
+  ros::Subscriber subscriber_;
+  Vec3 sum_ = Vec3::Zero();
+  double squares_ = 0.0;
+  int count_ = 0;
+  double mean_ = 0.0;
+  bool near_zero_ = false;
+};
+
+std::string callTrigger(ros::NodeHandle* node, const std::string& name, double timeout,
+                        const std::function<bool()>& given_up) {
+  ros::ServiceClient client = node->serviceClient<std_srvs::Trigger>(name);
+  std_srvs::Trigger call;
+  if (!waitForService(&client, timeout, given_up)) {
+    return "the service '" + client.getService() + "' does not appear; is its node up?";
+  }
+  if (!callInterruptibly(client, &call, given_up)) call.response.message = "no answer";
+  if (call.response.success != 0) return "";
+  return "the service '" + client.getService() + "' failed: " + call.response.message;
+}
+
+}  // namespace
 
 std::string zeroSensor(ros::NodeHandle* node, const std::string& zero_service, double timeout,
                        const std::function<bool()>& given_up) {
-  for (const std::string& name : {zero_service, std::string(names::kListenerTare)}) {
-    ros::ServiceClient client = node->serviceClient<std_srvs::Trigger>(name);
-    std_srvs::Trigger call;
-    if (!waitForService(&client, timeout, given_up)) {
-      return "the service '" + client.getService() + "' does not appear; is its node up?";
-    }
-    if (!callInterruptibly(client, &call, given_up)) call.response.message = "no answer";
-    if (call.response.success == 0) {
-      return "the service '" + client.getService() + "' failed: " + call.response.message;
-    }
+  RawForce force(node);
+  std::string problem = callTrigger(node, zero_service, timeout, given_up);
+  if (!problem.empty()) return problem;
+  if (!force.comesToZero(timeout, given_up)) {
+    std::ostringstream reason;
+    reason << "the service '" << node->resolveName(zero_service)
+           << "' says that it has zeroed the sensor, but the raw force is " << force.mean()
+           << " N; does the object hang free, and do wrenches come?";
+    return reason.str();
   }
-  return "";
+  return callTrigger(node, names::kListenerTare, timeout, given_up);
 }
 
 }  // namespace smore

@@ -17,6 +17,7 @@
 #include "smore/kinematics/joint_commands.h"
 #include "smore/ros/conversions.h"
 #include "smore/ros/fault_listener.h"
+#include "smore/ros/fault_place.h"
 #include "smore/ros/joint_listener.h"
 #include "smore/ros/observation_stream.h"
 
@@ -92,6 +93,7 @@ class RosRobot : public Robot {
   ros::NodeHandle node_;
   JointListener joints_;
   FaultListener guard_;
+  FaultPlace fault_place_;
   ros::Publisher command_, sign_of_life_;
   ros::Subscriber contact_;
   ros::ServiceClient reset_;

@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The retrieval zeroes the sensor before it starts; the test plays driver and listener."""
+
+import threading
+import unittest
+
+import actionlib
+import rospy
+import rostest
+from geometry_msgs.msg import WrenchStamped
+from std_msgs.msg import String
+from std_srvs.srv import Trigger, TriggerResponse
+
+from node_testing import start_node, wait_until
+from observations import ObservationSource
+from smore.msg import ContactObservation, RetrieveAction, RetrieveGoal
+
+DEADLINE = rospy.Duration(30.0)
+OFFSET = 12.0  # of the sensor that has not been zeroed [N]
+LATENCY = 200  # samples from the driver's answer to the zeroing
+
+
+class Driver:
+    """A sensor whose zero service answers long before the zeroing, and a listener that only tares.
+
+    Observations say CONTACT throughout, so that no retrieval gets beyond its preparations.
+    """
+
+    def __init__(self):
+        self.zeroes = True
+        self.x = 0.0
+        self.force = OFFSET
+        self.asked = 0
+        self.tared_at = []  # the raw force at each tare [N]
+        self._zero_in = None
+        self._stop = threading.Event()
+        self._wrench = rospy.Publisher("wrench", WrenchStamped, queue_size=100)
+        self._observations = ObservationSource()
+        self._services = [
+            rospy.Service("driver/zero", Trigger, self._zero),
+            rospy.Service("force_torque/tare", Trigger, self._tare),
+        ]
+        self._thread = threading.Thread(target=self._run)
+        self._thread.start()
+
+    def _zero(self, _):
+        self.asked += 1
+        if self.zeroes:
+            self._zero_in = LATENCY
+        return TriggerResponse(True, "")
+
+    def _tare(self, _):
+        self.tared_at.append(self.force)
+        return TriggerResponse(True, "tared")
+
+    def _run(self):
+        while not self._stop.wait(0.001):
+            if self._zero_in is not None:
+                self._zero_in -= 1
+                if self._zero_in == 0:
+                    self.force = 0.0
+                    self._zero_in = None
+            message = WrenchStamped()
+            message.header.stamp = rospy.Time.now()
+            message.wrench.force.z = self.force
+            self._wrench.publish(message)
+            observation = self._observations.next(ContactObservation.CONTACT, self.x)
+            self._observations.publish(observation)
+
+    def stand_until_heard(self):
+        """Waits until what was said of the pose has had time to arrive."""
+        begin = self._observations.time
+        wait_until(lambda: self._observations.time > begin + 1.0)
+
+    def close(self):
+        self._stop.set()
+        self._thread.join()
+
+
+class SensorZero(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        start_node("sensor_zero_test")
+        cls.driver = Driver()
+        cls.guard = rospy.Publisher("guard/fault", String, queue_size=1, latch=True)
+        cls.client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
+        assert cls.client.wait_for_server(DEADLINE)
+        assert wait_until(lambda: cls.guard.get_num_connections() > 0)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.driver.close()
+
+    def setUp(self):
+        self.driver.zeroes = True
+        self.driver.force = OFFSET
+        self.driver.asked = 0
+        self.driver.tared_at.clear()
+
+    def retrieve(self):
+        self.client.send_goal(RetrieveGoal())
+        self.assertTrue(self.client.wait_for_result(DEADLINE))
+        return self.client.get_result()
+
+    def test_the_tare_waits_until_the_zeroing_has_happened(self):
+        self.retrieve()
+        self.assertEqual(self.driver.tared_at, [0.0])
+
+    def test_a_sensor_that_is_near_zero_already_is_tared_at_once(self):
+        self.driver.zeroes = False
+        self.driver.force = 0.3
+        self.retrieve()
+        self.assertEqual(self.driver.tared_at, [0.3])
+
+    def test_a_zeroing_that_never_happens_is_told_with_the_force(self):
+        self.driver.zeroes = False
+        result = self.retrieve()
+        self.assertFalse(result.success)
+        self.assertIn("the raw force is 12 N", result.message)
+        self.assertEqual(self.driver.tared_at, [])
+
+    def test_nothing_is_zeroed_where_a_fault_stopped_the_robot(self):
+        self.guard.publish("the force is 45 N")
+        self.driver.stand_until_heard()
+        self.guard.publish("")
+        self.driver.stand_until_heard()
+        self.retrieve()
+        self.assertEqual(self.driver.asked, 0)
+        self.driver.x -= 0.02
+        self.driver.stand_until_heard()
+        self.retrieve()
+        self.assertEqual(self.driver.asked, 1)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("smore", "sensor_zero_test", SensorZero)
