@@ -77,6 +77,7 @@ TEST(EffectiveWorlds, areThoseThatWereDrawn) {
     EXPECT_NEAR(*effectiveWorlds(scatter), worlds, 0.05 * worlds);
   }
   EXPECT_FALSE(effectiveWorlds(scatterOf({0.5, 0.5})));
+  EXPECT_FALSE(effectiveWorlds(scatterOf({1.0, 1.0 + 2e-16, 1.0}))) << "weights are rounded";
   EXPECT_NEAR(*effectiveWorlds(scatterOf({0.0, 1.0})), 1.0, 1e-12);
 }
 

@@ -21,7 +21,8 @@ struct SeedScatter {
 /// seeds, mean (1 - mean) + v / S estimates p (1 - p) without bias.
 SeedScatter scatterOf(const std::vector<double>& shares);
 
-/// The number of independent worlds that would scatter as much; nothing where nothing scatters.
+/// The number of independent worlds that would scatter as much; nothing where nothing scatters
+/// by more than rounding.
 std::optional<double> effectiveWorlds(const SeedScatter& scatter);
 
 }  // namespace smore
