@@ -142,7 +142,14 @@ std::optional<JointTrajectory> MotionGuard::admit(double now, const JointTraject
 void MotionGuard::check(double now) {
   const std::string problem = silence(now);
   if (!problem.empty()) stop(problem);
+  if (!program_runs_) {
+    stop(
+        "the robot's program does not run: it ended, or a protective or emergency stop ended it; "
+        "press Play when the cause is gone");
+  }
 }
+
+void MotionGuard::onProgram(bool running) { program_runs_ = running; }
 
 void MotionGuard::checkMotion(double now, const JointTrajectoryPoint& expected) {
   check(now);

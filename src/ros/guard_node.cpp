@@ -4,6 +4,7 @@
 #include <geometry_msgs/WrenchStamped.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <std_msgs/Bool.h>
 #include <std_msgs/Empty.h>
 #include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
@@ -100,6 +101,8 @@ class GuardNode {
         node_.subscribe(names::kCommand, names::kLatestQueue, &GuardNode::onCommand, this, hints);
     sign_of_life_ = node_.subscribe(names::kSignOfLife, names::kLatestQueue,
                                     &GuardNode::onSignOfLife, this, hints);
+    program_ = node_.subscribe(names::kProgramRunning, names::kLatestQueue, &GuardNode::onProgram,
+                               this, hints);
     scaling_topic_ = node_.subscribe(names::kSpeedScaling, names::kLatestQueue,
                                      &GuardNode::onScaling, this, hints);
   }
@@ -126,6 +129,12 @@ class GuardNode {
   }
 
   void onSignOfLife(const std_msgs::Empty& /*message*/) { guard_.onSignOfLife(now()); }
+
+  void onProgram(const std_msgs::Bool& message) {
+    guard_.onProgram(message.data != 0);
+    guard_.check(now());
+    reactToFault();
+  }
 
   void onScaling(const std_msgs::Float64& message) {
     if (std::isfinite(message.data)) scaling_ = std::clamp(message.data, 0.0, 1.0);
@@ -215,7 +224,7 @@ class GuardNode {
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
   ros::Publisher guarded_, fault_;
-  ros::Subscriber wrench_, joints_, contact_, command_, sign_of_life_, scaling_topic_;
+  ros::Subscriber wrench_, joints_, contact_, command_, sign_of_life_, scaling_topic_, program_;
   ros::ServiceServer stop_, clear_;
   std::string published_;
 };

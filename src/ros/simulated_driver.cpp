@@ -17,6 +17,7 @@ class CartesianDriver : public SimulatedDriver {
 
   std::string sensorFrame() const override { return frames_.object; }
   Transforms fixedTransforms() const override { return {}; }
+  Transforms controllerTransforms() const override { return {}; }
   Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const override {
     return {stampedTransform(frames_.world, frames_.object, robot.pose(), stamp)};
   }
@@ -48,9 +49,12 @@ class ArmDriver : public SimulatedDriver {
 
   Transforms fixedTransforms() const override {
     Transforms transforms = gripTransforms(arm_, T_world_base_link_, frames_);
-    transforms.push_back(
-        stampedTransform(names().base, kController, T_base_base_link_.inverse(), ros::Time()));
+    transforms.push_back(controllerTransforms().front());
     return transforms;
+  }
+
+  Transforms controllerTransforms() const override {
+    return {stampedTransform(names().base, kController, T_base_base_link_.inverse(), ros::Time())};
   }
 
   Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const override {

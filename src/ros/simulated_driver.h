@@ -27,6 +27,9 @@ class SimulatedDriver {
   /// Transforms that never change.
   virtual Transforms fixedTransforms() const = 0;
 
+  /// Those of them that a real controller gives: where its base is in the robot's description.
+  virtual Transforms controllerTransforms() const = 0;
+
   /// What must be known at each sample: it gives the object's pose.
   virtual Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const = 0;
 

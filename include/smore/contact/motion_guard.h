@@ -50,6 +50,9 @@ class MotionGuard {
   /// A reading without all of the robot's joints is another device's and says nothing.
   void onJoints(double now, const JointReading& reading);
 
+  /// Whether the robot's own program runs, without which it takes no commands; true until told.
+  void onProgram(bool running);
+
   /// A contact observation of the wrench of this stamp.
   void onContact(double now, double stamp) { contact_beat_.beat(now, stamp); }
 
@@ -113,6 +116,7 @@ class MotionGuard {
   Wrench wrench_;               ///< the last finite one
   JointTrajectoryPoint state_;  ///< the last finite one, in the order of joint_names_
   Heartbeat wrench_beat_, joints_beat_, contact_beat_;
+  bool program_runs_ = true;
   double commander_ = 0.0;  ///< when its last sign of life came
   std::string fault_;
 };

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A simulated UR5e behind what its driver for ROS 1 does with it: its names, its controller, its
+// delays and its faults.
+#include <geometry_msgs/WrenchStamped.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
+#include <std_msgs/Bool.h>
+#include <std_msgs/Float64.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "simulated_driver.h"
+#include "smore/common/delay_line.h"
+#include "smore/ros/names.h"
+#include "smore/ros/parameter_source.h"
+#include "smore/ros/scene_markers.h"
+#include "smore/simulation/simulated_robot.h"
+#include "smore/simulation/trajectory_controller.h"
+
+namespace smore {
+namespace {
+
+constexpr double kPeriod = 0.002;  // 500 Hz
+constexpr double kCatchUp = 0.1;   // [s]; what is lost beyond is not made good
+
+struct TwinParameters {
+  int seed = 1;
+  double sensor_cutoff = 0.0;  ///< [Hz]; 0: none
+  double stop_duration = 0.5;  ///< of the controller's ramp [s]
+  double latency_min = 0.002;  ///< of each way [s]
+  double latency_max = 0.002;  ///< [s]
+  double stamp_jitter = 0.0;   ///< standard deviation [s]
+  double zero_delay = 0.05;    ///< [s]
+};
+
+TwinParameters readParameters(ParameterReader* reader) {
+  TwinParameters parameters;
+  reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
+  reader->number("sensor_cutoff", &parameters.sensor_cutoff, {0.0, 1000.0});
+  reader->number("stop_duration", &parameters.stop_duration, {0.0, 5.0});
+  reader->number("latency_min", &parameters.latency_min, {0.0, 1.0});
+  reader->number("latency_max", &parameters.latency_max, {0.0, 1.0});
+  reader->number("stamp_jitter", &parameters.stamp_jitter, {0.0, 0.1});
+  reader->number("zero_delay", &parameters.zero_delay, {0.0, 10.0});
+  if (parameters.latency_max < parameters.latency_min) {
+    reader->error("latency_max", "is less than latency_min; give at least as much");
+  }
+  return parameters;
+}
+
+/// What the driver publishes for one sample.
+struct DriverSample {
+  sensor_msgs::JointState joints;
+  geometry_msgs::WrenchStamped wrench;
+  tf2_msgs::TFMessage poses;  ///< empty while the network is cut
+};
+
+/// Robot, driver and connection in one thread, at 500 Hz of the clock on the wall.
+class RobotTwin {
+ public:
+  RobotTwin(const TwinParameters& parameters, const Scenario& scenario)
+      : parameters_(parameters),
+        robot_(makeSimulatedRobot(
+            scenario, parameters.seed,
+            parameters.sensor_cutoff > 0.0 ? parameters.sensor_cutoff : kNoLowPass)),
+        driver_(makeSimulatedDriver(scenario, FrameNames())),
+        controller_(robot_->jointNames(), robot_->jointPositions(), parameters.stop_duration),
+        random_(parameters.seed),
+        latency_(parameters.latency_min, parameters.latency_max) {
+    node_.setCallbackQueue(&queue_);
+    private_node_.setCallbackQueue(&queue_);
+    advertise();
+    publishScene(scenario);
+    publishRunning();
+  }
+
+  void run() {
+    ros::SteadyTime next = ros::SteadyTime::now();
+    while (ros::ok()) {
+      const ros::SteadyTime now = ros::SteadyTime::now();
+      if (next < now - ros::WallDuration(kCatchUp)) next = now;
+      queue_.callAvailable(std::max(next - now, ros::WallDuration()));
+      if (ros::SteadyTime::now() < next) continue;
+      next += ros::WallDuration(kPeriod);
+      cycle(ros::SteadyTime::now().toSec());
+    }
+  }
+
+ private:
+  void advertise() {
+    joints_ = node_.advertise<sensor_msgs::JointState>("joint_states", names::kStreamQueue);
+    wrench_ = node_.advertise<geometry_msgs::WrenchStamped>("wrench", names::kStreamQueue);
+    tf_ = node_.advertise<tf2_msgs::TFMessage>(names::kTf, names::kStreamQueue);
+    scene_ = node_.advertise<visualization_msgs::MarkerArray>(names::kScene, 1, true);
+    tf_static_ = node_.advertise<tf2_msgs::TFMessage>(names::kTfStatic, 1, true);
+    scaling_ = node_.advertise<std_msgs::Float64>("speed_scaling_factor", 1);
+    running_ =
+        node_.advertise<std_msgs::Bool>("ur_hardware_interface/robot_program_running", 1, true);
+    const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
+    command_ = node_.subscribe("scaled_pos_joint_traj_controller/command", names::kStreamQueue,
+                               &RobotTwin::onCommand, this, hints);
+    slider_topic_ = private_node_.subscribe("slider", 1, &RobotTwin::onSlider, this);
+    zero_ = node_.advertiseService("ur_hardware_interface/zero_ftsensor", &RobotTwin::onZero, this);
+    stop_ = private_node_.advertiseService("protective_stop", &RobotTwin::onProtectiveStop, this);
+    play_ = private_node_.advertiseService("play", &RobotTwin::onPlay, this);
+    cut_ = private_node_.advertiseService("cut_network", &RobotTwin::onCutNetwork, this);
+  }
+
+  void publishScene(const Scenario& scenario) {
+    visualization_msgs::MarkerArray markers = sceneMarkers(scenario, FrameNames());
+    const visualization_msgs::MarkerArray links = driver_->linkMarkers();
+    markers.markers.insert(markers.markers.end(), links.markers.begin(), links.markers.end());
+    scene_.publish(markers);
+    tf2_msgs::TFMessage fixed;
+    fixed.transforms = driver_->controllerTransforms();
+    tf_static_.publish(fixed);
+  }
+
+  void onCommand(const trajectory_msgs::JointTrajectory& message) {
+    if (!cut_off_) commands_.push(now() + latency_(random_), fromMessage(message));
+  }
+
+  void onSlider(const std_msgs::Float64& message) {
+    if (std::isfinite(message.data)) slider_ = std::clamp(message.data, 0.0, 1.0);
+  }
+
+  /// The driver answers when it has written to the robot; the zeroing follows.
+  bool onZero(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
+    zero_at_ = now() + parameters_.zero_delay;
+    response.success = static_cast<unsigned char>(true);
+    return true;
+  }
+
+  bool onProtectiveStop(std_srvs::Trigger::Request& /*request*/,
+                        std_srvs::Trigger::Response& response) {
+    endProgram("a protective stop was asked for");
+    response.success = static_cast<unsigned char>(true);
+    return true;
+  }
+
+  /// As somebody at the pendant.
+  bool onPlay(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
+    controller_.start(robot_->jointPositions());
+    publishRunning();
+    response.success = static_cast<unsigned char>(true);
+    return true;
+  }
+
+  /// The robot's program ends without its driver; joint states and wrenches freeze under fresh
+  /// stamps.
+  bool onCutNetwork(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+    cut_off_ = request.data != 0;
+    if (cut_off_) {
+      controller_.stop();
+      robot_->stop();
+    }
+    response.success = static_cast<unsigned char>(true);
+    return true;
+  }
+
+  void endProgram(const std::string& reason) {
+    ROS_WARN_STREAM("the robot's program has ended: " << reason);
+    controller_.stop();
+    robot_->stop();
+    publishRunning();
+  }
+
+  void publishRunning() {
+    std_msgs::Bool message;
+    message.data = static_cast<unsigned char>(controller_.running());
+    running_.publish(message);
+  }
+
+  void cycle(double now) {
+    while (const auto command = commands_.pop(now)) controller_.command(*command);
+    moveRobot();
+    samples_.push(now + latency_(random_), sample());
+    while (const auto arrived = samples_.pop(now)) publish(*arrived);
+    if (zero_at_ && now >= *zero_at_) {
+      zero_wrench_ = robot_->reading().wrench;
+      zero_at_.reset();
+    }
+  }
+
+  /// The controller tells the robot each cycle where to be at its end, and how fast: a point beyond
+  /// it, since a robot rests at the last.
+  void moveRobot() {
+    if (controller_.running()) {
+      controller_.advance(kPeriod, slider_);
+      JointTrajectoryPoint now{kPeriod, controller_.positions(), controller_.velocities()};
+      for (double& velocity : now.velocities) velocity *= slider_;
+      JointTrajectoryPoint beyond = now;
+      beyond.time += kPeriod;
+      for (size_t i = 0; i < beyond.positions.size(); ++i) {
+        beyond.positions[i] += kPeriod * now.velocities[i];
+      }
+      robot_->followJoints({robot_->jointNames(), {now, beyond}});
+    }
+    robot_->advance();
+    const std::optional<Failure> fault = robot_->fault();
+    if (fault && controller_.running()) endProgram(fault->reason);
+  }
+
+  DriverSample sample() {
+    ros::Time stamp = ros::Time::now();
+    std::normal_distribution<double> jitter(0.0, 1.0);
+    stamp += ros::Duration(parameters_.stamp_jitter * jitter(random_));
+    if (!cut_off_) {
+      last_.joints.name = robot_->jointNames();
+      last_.joints.position = robot_->jointPositions();
+      last_.joints.velocity = robot_->jointVelocities();
+      Wrench felt = robot_->reading().wrench;
+      felt.force -= zero_wrench_.force;
+      felt.torque -= zero_wrench_.torque;
+      last_.wrench.wrench = toMessage(felt);
+      last_.wrench.header.frame_id = driver_->sensorFrame();
+    }
+    last_.poses.transforms.clear();
+    if (!cut_off_) last_.poses.transforms = driver_->poseTransforms(*robot_, stamp);
+    last_.joints.header.stamp = last_.wrench.header.stamp = stamp;
+    return last_;
+  }
+
+  void publish(const DriverSample& sample) {
+    if (!sample.poses.transforms.empty()) tf_.publish(sample.poses);
+    joints_.publish(sample.joints);
+    wrench_.publish(sample.wrench);
+    std_msgs::Float64 scaling;
+    scaling.data = slider_;
+    scaling_.publish(scaling);
+  }
+
+  static double now() { return ros::SteadyTime::now().toSec(); }
+
+  TwinParameters parameters_;
+  std::unique_ptr<SimulatedRobot> robot_;
+  std::unique_ptr<SimulatedDriver> driver_;
+  TrajectoryController controller_;
+  std::mt19937_64 random_;
+  std::uniform_real_distribution<double> latency_;
+  DelayLine<JointTrajectory> commands_;
+  DelayLine<DriverSample> samples_;
+  DriverSample last_;
+  double slider_ = 1.0;
+  bool cut_off_ = false;
+  Wrench zero_wrench_;             ///< taken off by the last zeroing
+  std::optional<double> zero_at_;  ///< when the next zeroing happens [s]
+  ros::CallbackQueue queue_;
+  ros::NodeHandle node_, private_node_{"~"};
+  ros::Publisher joints_, wrench_, tf_, tf_static_, scene_, scaling_, running_;
+  ros::Subscriber command_, slider_topic_;
+  ros::ServiceServer zero_, stop_, play_, cut_;
+};
+
+void runTwin() {
+  ParameterReader reader(privateParameters(), ros::this_node::getName());
+  const TwinParameters parameters = readParameters(&reader);
+  const std::optional<Scenario> scenario = readScenarioParameter(&reader);
+  requireScenario(&reader);
+  reader.finish();
+  if (scenario->robot != RobotKind::kUr5e) {
+    throw InputError("scenario " + scenario->name + ": robot: not an arm; use robot: ur5e");
+  }
+  RobotTwin(parameters, perturbScenario(*scenario, parameters.seed)).run();
+}
+
+}  // namespace
+}  // namespace smore
+
+int main(int argc, char** argv) { return smore::runNode(argc, argv, "robot_twin", smore::runTwin); }

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "guarded_robot.h"
+
+namespace smore {
+namespace {
+
+class GuardedMotionTest : public MotionGuardTest {};
+
+TEST_F(GuardedMotionTest, RefusesAStartThatIsNotWhereTheJointsAre) {
+  JointTrajectory trajectory = motion(0.2, 1.0);
+  trajectory.points[0].positions[1] += 0.11;
+  expectRefused(trajectory, "elbow from the commanded start");
+}
+
+TEST_F(GuardedMotionTest, ALaterFirstPointIsReachedFromWhereTheJointsAre) {
+  JointTrajectory trajectory{kJoints, {{1.0, {0.3 + 1.9, -0.8}, {}}}};
+  EXPECT_TRUE(guard_.admit(now_, trajectory));
+  trajectory.points[0].time = 0.9;
+  expectRefused(trajectory, "the commanded speed of shoulder");
+}
+
+TEST_F(GuardedMotionTest, TheCommandedSpeedIsThatBetweenThePoints) {
+  EXPECT_TRUE(guard_.admit(now_, motion(1.33, 1.0)));
+  expectRefused(motion(-1.34, 1.0), "the commanded speed of shoulder is 2.01 rad/s");
+  JointTrajectory straight = motion(1.99, 1.0);
+  for (JointTrajectoryPoint& point : straight.points) point.velocities.clear();
+  EXPECT_TRUE(guard_.admit(now_, straight));
+}
+
+TEST_F(GuardedMotionTest, RefusesWhatIsNoTrajectoryOfTheRobot) {
+  JointTrajectory trajectory = motion(0.1, 1.0);
+  trajectory.points[1].time = 0.0;
+  expectRefused(trajectory, "times do not rise");
+  trajectory = motion(0.1, kNan);
+  expectRefused(trajectory, "not finite");
+  trajectory = motion(0.1, 1.0);
+  trajectory.joint_names[0] = "wrist";
+  expectRefused(trajectory, "not one of all of the robot's joints");
+  trajectory = motion(0.1, 1.0);
+  trajectory.points[1].velocities = {0.0};
+  expectRefused(trajectory, "not one of all of the robot's joints");
+}
+
+TEST_F(GuardedMotionTest, JointsOfACommandComeInAnyOrder) {
+  const JointTrajectory swapped{{"elbow", "shoulder"},
+                                {{0.0, {-0.8, 0.3}, {}}, {1.0, {-0.8, 0.5}, {}}}};
+  EXPECT_TRUE(guard_.admit(now_, swapped));
+}
+
+TEST_F(GuardedMotionTest, AMotionBeginsAtTimeZeroWithItsJointsInOrder) {
+  const auto motion = guard_.admit(now_, {{"elbow", "shoulder"}, {{1.0, {-0.7, 0.5}, {0.0, 0.0}}}});
+  ASSERT_TRUE(motion);
+  EXPECT_EQ(motion->joint_names, kJoints);
+  ASSERT_EQ(motion->points.size(), 2U);
+  EXPECT_EQ(motion->points[0].time, 0.0);
+  EXPECT_EQ(motion->points[0].positions, positions_);
+  EXPECT_EQ(motion->points[0].velocities, std::vector<double>({0.0, 0.0}));
+  EXPECT_EQ(motion->points[1].positions, std::vector<double>({0.5, -0.7}));
+}
+
+TEST_F(GuardedMotionTest, RefusesAMotionThatDoesNotEndAtRest) {
+  JointTrajectory trajectory = motion(0.1, 1.0);
+  trajectory.points[1].velocities[1] = 0.1;
+  expectRefused(trajectory, "does not end at rest");
+}
+
+TEST_F(GuardedMotionTest, AMotionThatNobodyAttendsToLatches) {
+  ASSERT_TRUE(guard_.admit(now_, motion(0.5, 1.0)));
+  const JointTrajectoryPoint here{0.0, positions_, velocities_};
+  run(0.09);
+  guard_.checkMotion(now_, here);
+  EXPECT_EQ(guard_.fault(), "");
+  guard_.onSignOfLife(now_);
+  run(0.09);
+  guard_.checkMotion(now_, here);
+  EXPECT_EQ(guard_.fault(), "");
+  run(0.02);
+  guard_.checkMotion(now_, here);
+  EXPECT_NE(guard_.fault().find("no sign of life"), std::string::npos) << guard_.fault();
+}
+
+TEST_F(GuardedMotionTest, AMotionWithoutContactObservationsLatches) {
+  const JointTrajectoryPoint here{0.0, positions_, velocities_};
+  ASSERT_TRUE(guard_.admit(now_, motion(0.5, 1.0)));
+  run(0.04, true, true, false);
+  guard_.checkMotion(now_, here);
+  EXPECT_EQ(guard_.fault(), "");
+  run(0.02, true, true, false);
+  EXPECT_EQ(guard_.fault(), "") << "a robot at rest needs none";
+  guard_.checkMotion(now_, here);
+  EXPECT_NE(guard_.fault().find("contact observations are late"), std::string::npos);
+}
+
+TEST_F(GuardedMotionTest, AMotionWithContactObservationsOfLongAgoLatches) {
+  ASSERT_TRUE(guard_.admit(now_, motion(0.5, 1.0)));
+  for (int i = 0; i < 5; ++i) {
+    run(kPeriod, true, true, false);
+    guard_.onContact(now_, now_ - 0.06);
+    guard_.checkMotion(now_, {0.0, positions_, velocities_});
+  }
+  EXPECT_NE(guard_.fault().find("contact observations are late"), std::string::npos);
+}
+
+TEST_F(GuardedMotionTest, ARobotThatDoesNotFollowLatches) {
+  ASSERT_TRUE(guard_.admit(now_, motion(0.5, 1.0)));
+  guard_.checkMotion(now_, {0.0, {0.39, -0.8}, velocities_});
+  EXPECT_EQ(guard_.fault(), "");
+  guard_.checkMotion(now_, {0.0, {0.41, -0.8}, velocities_});
+  EXPECT_NE(guard_.fault().find("shoulder from its motion"), std::string::npos) << guard_.fault();
+}
+
+}  // namespace
+}  // namespace smore

@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""robot.launch as it is, on the twin of a UR5e's driver with its ramp and 10 ms latency each way."""
+
+import math
+import unittest
+
+import actionlib
+import rospy
+import rostest
+from geometry_msgs.msg import WrenchStamped
+from sensor_msgs.msg import JointState
+from std_msgs.msg import String
+from std_srvs.srv import SetBool, Trigger
+
+from node_killing import MOVES, STANDS, speed
+from node_testing import DEADLINE, Recorder, start_node, wait_until
+from smore.msg import ContactObservation, RetrieveAction, RetrieveGoal
+
+MOST_FORCE = 25.0  # of a touch at 0.05 m/s [N]
+HERE = 5e-3  # a joint that has moved by less has not been commanded [rad]
+
+
+def force(message):
+    f = message.wrench.force
+    return (f.x, f.y, f.z)
+
+
+class RobotTwin(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        start_node("robot_twin_test")
+        cls.joints = Recorder("/joint_states", JointState)
+        cls.wrenches = Recorder("/wrench", WrenchStamped)
+        cls.contacts = Recorder("contact", ContactObservation)
+        cls.faults = Recorder("guard/fault", String)
+        cls.client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
+        assert cls.client.wait_for_server(rospy.Duration(DEADLINE))
+        cls.clear = rospy.ServiceProxy("guard/clear", Trigger)
+        cls.play = rospy.ServiceProxy("robot_twin/play", Trigger)
+        cls.cut = rospy.ServiceProxy("robot_twin/cut_network", SetBool)
+        cls.protective_stop = rospy.ServiceProxy("robot_twin/protective_stop", Trigger)
+
+    def begin_motion(self):
+        self.joints.clear()
+        self.client.send_goal(RetrieveGoal())
+        self.assertIsNotNone(self.joints.wait_for(lambda m: speed(m) > MOVES), "no motion")
+        self.faults.clear()
+
+    def ends_with(self, words):
+        self.assertIsNotNone(self.faults.wait_for(lambda m: words in m.data), "no fault")
+        self.assertTrue(self.client.wait_for_result(rospy.Duration(DEADLINE)))
+        self.assertIn(words, self.client.get_result().message)
+
+    def stays(self):
+        """Whether the arm, once it stands, is there half a second later: what is frozen may still
+        be on its way."""
+        self.joints.clear()
+        begin = self.joints.wait_for(lambda m: speed(m) < STANDS)
+        end = begin.header.stamp + rospy.Duration(0.5)
+        last = self.joints.wait_for(lambda m: m.header.stamp > end)
+        return max(abs(b - a) for a, b in zip(begin.position, last.position)) < HERE
+
+    def go_on(self):
+        self.assertTrue(self.play().success)
+        self.assertTrue(self.stays(), "it moves after Play")
+        self.assertTrue(wait_until(lambda: self.clear().success))
+        self.assertTrue(self.stays(), "it moves after the clearing")
+
+    def test_a_cut_network_stops_and_nothing_moves_before_a_new_goal(self):
+        self.begin_motion()
+        self.assertTrue(self.cut(True).success)
+        self.ends_with("the contact observations are late")
+        self.assertTrue(self.cut(False).success)
+        self.go_on()
+
+    def test_a_protective_stop_latches_and_nothing_moves_before_a_new_goal(self):
+        self.begin_motion()
+        self.assertTrue(self.protective_stop().success)
+        self.ends_with("the robot's program does not run")
+        self.assertFalse(self.clear().success, "cleared while the program does not run")
+        self.go_on()
+
+    def test_a_touch_stops_softly(self):
+        self.wrenches.clear()
+        self.contacts.clear()
+        self.client.send_goal(RetrieveGoal())
+        touch = self.contacts.wait_for(lambda m: m.state == ContactObservation.CONTACT)
+        self.assertIsNotNone(touch, "it touches nothing")
+        after = touch.header.stamp + rospy.Duration(0.3)
+        self.assertIsNotNone(self.wrenches.wait_for(lambda m: m.header.stamp > after))
+        self.client.cancel_goal()
+        free = [w for w in self.wrenches.messages() if w.header.stamp < touch.header.stamp]
+        rest = force(free[len(free) // 2])
+        pressed = [w for w in self.wrenches.messages() if w.header.stamp >= touch.header.stamp]
+        peak = max(math.dist(force(w), rest) for w in pressed)
+        self.assertLess(peak, MOST_FORCE)
+        print("peak force %.1f N" % peak)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("smore", "robot_twin_test", RobotTwin)
