@@ -2,9 +2,9 @@
 #include "smore/common/parameters.h"
 
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
+#include "core_schema.h"
 #include "smore/common/result.h"
 
 namespace smore {
@@ -28,8 +28,25 @@ std::string describe(const Range& range) {
   return text.str();
 }
 
-bool readFinite(const YAML::Node& node, double* value) {
-  return node.IsScalar() && YAML::convert<double>::decode(node, *value) && std::isfinite(*value);
+bool readNumber(const YAML::Node& node, double* value) {
+  const auto number = node.IsScalar() ? coreNumber(node.Scalar()) : std::nullopt;
+  if (number) *value = *number;
+  return number.has_value();
+}
+
+bool readVector(const YAML::Node& node, Vec3* value) {
+  bool good = node.IsSequence() && node.size() == 3;
+  for (int i = 0; good && i < 3; ++i) good = readNumber(node[i], &(*value)[i]);
+  return good;
+}
+
+constexpr const char* kNoVector = "expected a list of three finite numbers [x, y, z]";
+
+bool beyondFullTurn(double angle) { return std::abs(angle) > 2.0 * M_PI; }
+
+std::string looksLikeDegrees(const YAML::Node& node) {
+  return show(node) + " is beyond 2 pi; angles are in radians; " + node.Scalar() +
+         " looks like degrees";
 }
 
 }  // namespace
@@ -49,20 +66,24 @@ ParameterReader::ParameterReader(const YAML::Node& mapping, const std::string& s
 }
 
 YAML::Node ParameterReader::find(const std::string& key) {
-  known_.insert(key);
+  const bool given = has(key);
   const YAML::Node& readonly = mapping_;
   YAML::Node node = readonly[key];
-  if (!node.IsDefined()) error(key, "missing; add it");
+  if (!given) error(key, "missing; add it");
   return node;
 }
 
-bool ParameterReader::has(const std::string& key) const { return mapping_[key].IsDefined(); }
+bool ParameterReader::has(const std::string& key) {
+  known_.insert(key);
+  const YAML::Node& readonly = mapping_;
+  return readonly[key].IsDefined();
+}
 
 void ParameterReader::number(const std::string& key, double* value, Range range) {
   const YAML::Node node = find(key);
   if (!node.IsDefined()) return;
   double number = 0.0;
-  if (!readFinite(node, &number)) {
+  if (!readNumber(node, &number)) {
     error(key, "expected a finite number, got " + show(node));
   } else if (number < range.min || number > range.max) {
     error(key, show(node) + " is out of range; use a number " + describe(range));
@@ -74,22 +95,54 @@ void ParameterReader::number(const std::string& key, double* value, Range range)
 void ParameterReader::integer(const std::string& key, int* value, int min, int max) {
   const YAML::Node node = find(key);
   if (!node.IsDefined()) return;
-  int number = 0;
-  if (!node.IsScalar() || !YAML::convert<int>::decode(node, number)) {
+  const auto number = node.IsScalar() ? coreInteger(node.Scalar()) : std::nullopt;
+  if (!number) {
     error(key, "expected a whole number, got " + show(node));
-  } else if (number < min || number > max) {
+  } else if (*number < min || *number > max) {
     error(key, show(node) + " is out of range; use a whole number from " + std::to_string(min) +
                    " to " + std::to_string(max));
   } else {
-    *value = number;
+    *value = static_cast<int>(*number);
   }
+}
+
+void ParameterReader::angle(const std::string& key, double* value, Range range) {
+  const YAML::Node node = find(key);
+  if (!node.IsDefined()) return;
+  double angle = 0.0;
+  if (!readNumber(node, &angle)) {
+    error(key, "expected a finite number, got " + show(node));
+  } else if (beyondFullTurn(angle)) {
+    error(key, looksLikeDegrees(node));
+  } else if (angle < range.min || angle > range.max) {
+    error(key, show(node) + " is out of range; use a number " + describe(range));
+  } else {
+    *value = angle;
+  }
+}
+
+void ParameterReader::angles(const std::string& key, Vec3* value) {
+  const YAML::Node node = find(key);
+  if (!node.IsDefined()) return;
+  Vec3 angles = Vec3::Zero();
+  if (!readVector(node, &angles)) {
+    error(key, kNoVector);
+    return;
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (beyondFullTurn(angles[i])) return error(key, looksLikeDegrees(node[i]));
+  }
+  *value = angles;
 }
 
 void ParameterReader::boolean(const std::string& key, bool* value) {
   const YAML::Node node = find(key);
   if (!node.IsDefined()) return;
-  if (!node.IsScalar() || !YAML::convert<bool>::decode(node, *value)) {
+  const auto given = node.IsScalar() ? coreBoolean(node.Scalar()) : std::nullopt;
+  if (!given) {
     error(key, "expected true or false, got " + show(node));
+  } else {
+    *value = *given;
   }
 }
 
@@ -120,10 +173,8 @@ void ParameterReader::vector(const std::string& key, Vec3* value, Range range) {
   const YAML::Node node = find(key);
   if (!node.IsDefined()) return;
   Vec3 vector = Vec3::Zero();
-  bool good = node.IsSequence() && node.size() == 3;
-  for (int i = 0; good && i < 3; ++i) good = readFinite(node[i], &vector[i]);
-  if (!good) {
-    error(key, "expected a list of three finite numbers [x, y, z]");
+  if (!readVector(node, &vector)) {
+    error(key, kNoVector);
   } else if (vector.minCoeff() < range.min || vector.maxCoeff() > range.max) {
     error(key, "out of range; use numbers " + describe(range));
   } else {
@@ -168,17 +219,6 @@ void ParameterReader::finishNested() {
 void ParameterReader::finish() {
   finishNested();
   if (!errors_->empty()) throw InputError(join(*errors_, "\n"));
-}
-
-YAML::Node loadYaml(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) throw InputError(file + ": cannot be read; check the path and the permissions");
-  try {
-    return YAML::Load(stream);
-  } catch (const YAML::Exception& error) {
-    throw InputError(file + ": line " + std::to_string(error.mark.line + 1) +
-                     ": not valid YAML: " + error.msg);
-  }
 }
 
 }  // namespace smore

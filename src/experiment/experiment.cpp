@@ -152,36 +152,59 @@ TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& param
   return result;
 }
 
+namespace {
+
+// A trial that breaks costs no other one.
+TrialResult runGuarded(const Scenario& scenario, const ExperimentParameters& parameters,
+                       std::uint64_t seed, const std::atomic<bool>& interrupted,
+                       const ExperimentCallback& on_progress) {
+  ExperimentProgress last;
+  last.seed = seed;
+  const auto remember = [&](const ExperimentProgress& progress) {
+    last = progress;
+    on_progress(progress);
+  };
+  try {
+    return runTrial(scenario, parameters, seed, interrupted, remember);
+  } catch (const std::exception& error) {
+    last.finished = true;
+    last.success = false;
+    last.reason = std::string("broken off: ") + error.what();
+    on_progress(last);
+  }
+  TrialResult result;
+  result.seed = seed;
+  result.broken = true;
+  result.reason = last.reason;
+  result.collisions = last.collisions;
+  result.plans = last.plans;
+  return result;
+}
+
+}  // namespace
+
 std::vector<TrialResult> runExperiment(const Scenario& scenario,
                                        const ExperimentParameters& parameters,
                                        const std::atomic<bool>& interrupted,
                                        const ExperimentCallback& on_progress) {
   std::vector<std::optional<TrialResult>> results(parameters.trials);
   std::atomic<int> next{0};
-  std::atomic<bool> failed{false};
-  std::exception_ptr failure;
   std::mutex mutex;
   const auto report = [&](const ExperimentProgress& progress) {
     const std::lock_guard<std::mutex> lock(mutex);
     on_progress(progress);
   };
   const auto work = [&] {
-    for (int i = next++; i < parameters.trials && !interrupted && !failed; i = next++) {
-      try {
-        TrialResult result =
-            runTrial(scenario, parameters, parameters.seed + i, interrupted, report);
-        if (!interrupted || result.success) results[i] = std::move(result);
-      } catch (...) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (!failed.exchange(true)) failure = std::current_exception();
-      }
+    for (int i = next++; i < parameters.trials && !interrupted; i = next++) {
+      TrialResult result =
+          runGuarded(scenario, parameters, parameters.seed + i, interrupted, report);
+      if (!interrupted || result.success) results[i] = std::move(result);
     }
   };
   std::vector<std::thread> threads;
   threads.reserve(parameters.jobs);
   for (int i = 0; i < parameters.jobs; ++i) threads.emplace_back(work);
   for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
 
   std::vector<TrialResult> finished;
   for (auto& result : results) {

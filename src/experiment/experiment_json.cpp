@@ -44,6 +44,7 @@ Json motionsJson(const std::vector<PlannedMotion>& motions) {
 Json trialJson(const TrialResult& trial, bool with_distances) {
   Json json{{"seed", trial.seed},
             {"success", trial.success},
+            {"broken", trial.broken},
             {"reason", trial.reason},
             {"collisions", trial.collisions},
             {"plans", trial.plans},
@@ -84,7 +85,7 @@ Json summaryJson(const std::vector<TrialResult>& trials) {
   std::vector<double> collisions;
   std::vector<double> successes;
   for (const TrialResult& trial : trials) {
-    collisions.push_back(trial.collisions);
+    if (!trial.broken) collisions.push_back(trial.collisions);
     successes.push_back(trial.success ? 1.0 : 0.0);
   }
   const auto [min, max] = std::minmax_element(collisions.begin(), collisions.end());

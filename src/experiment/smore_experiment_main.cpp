@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <fstream>
@@ -12,6 +13,7 @@
 #include "smore/experiment/experiment.h"
 #include "smore/experiment/output_paths.h"
 #include "smore/experiment/progress_display.h"
+#include "smore/scenario/scenario_files.h"
 #include "smore/simulation/simulated_robot.h"
 
 namespace {
@@ -37,7 +39,9 @@ struct Arguments {
 void declare(CLI::App* app, Arguments* arguments) {
   smore::ExperimentParameters& parameters = arguments->parameters;
   const auto count = CLI::Range(1, 1000000);
-  app->add_option("--scenario", arguments->scenario, "scenario file (YAML)")->required();
+  app->add_option("--scenario", arguments->scenario,
+                  "name in config/scenarios, or path of a file (YAML)")
+      ->required();
   app->add_option("--method", arguments->method, "how to map and plan")
       ->check(CLI::IsMember({"paper", "cspace", "smore"}))
       ->capture_default_str();
@@ -66,14 +70,10 @@ void declare(CLI::App* app, Arguments* arguments) {
   app->add_flag("--validate", arguments->validate, "only check the scenario");
 }
 
-// True if the results have been written whole.
-bool write(const std::string& json, const std::string& file) {
-  if (file.empty()) {
-    std::cout << json << std::endl;
-    return std::cout.good();
-  }
+bool writeFile(const std::string& json, const std::string& file) {
   std::ofstream stream(file);
   stream << json << std::endl;
+  stream.close();
   return stream.good();
 }
 
@@ -89,15 +89,39 @@ bool canWriteOutputs(const Arguments& arguments) {
   return problem.empty();
 }
 
+// True if the results have been written whole where they should. They are worth hours: where a file
+// fails at the end, they go to standard output.
+bool write(const std::string& json, const std::string& file) {
+  if (!file.empty() && writeFile(json, file)) return true;
+  std::cout << json << std::endl;
+  if (file.empty() && std::cout.good()) return true;
+  std::cerr << (file.empty() ? "standard output" : file) << ": cannot be written; check the disk"
+            << (file.empty() ? "" : "; the results are on standard output") << std::endl;
+  return false;
+}
+
+// The errors of broken trials are in the results; the exit code tells of them.
+int exitCode(const std::vector<smore::TrialResult>& trials) {
+  if (interrupted) return kInterrupted;
+  const auto broken =
+      std::count_if(trials.begin(), trials.end(), [](const auto& trial) { return trial.broken; });
+  if (broken == 0) return 0;
+  std::cerr << broken << " of " << trials.size() << " trials broke off; their reasons stand in "
+            << "the results" << std::endl;
+  return kInternalError;
+}
+
 int run(Arguments arguments) {
-  const smore::Scenario scenario = smore::loadScenario(arguments.scenario);
+  const std::string file =
+      smore::findScenario(arguments.scenario, smore::shippedScenarioDirectory());
+  const smore::Scenario scenario = smore::loadScenario(file);
   if (!arguments.method_parameters.empty()) {
     arguments.parameters.method_parameters =
         smore::loadMethodParameters(arguments.method_parameters);
   }
   (void)smore::makeSimulatedRobot(scenario, arguments.parameters.seed);  // refuses what cannot be
   if (arguments.validate) {
-    std::cerr << arguments.scenario << ": valid" << std::endl;
+    std::cerr << file << ": valid" << std::endl;
     return 0;
   }
   if (!canWriteOutputs(arguments)) return kInternalError;
@@ -106,11 +130,8 @@ int run(Arguments arguments) {
   const auto trials =
       smore::runExperiment(scenario, arguments.parameters, interrupted,
                            [&display](const auto& progress) { display.update(progress); });
-  if (!write(smore::toJson(scenario, arguments.parameters, trials), arguments.output)) {
-    std::cerr << "the results cannot be written; check the disk" << std::endl;
-    return kInternalError;
-  }
-  return interrupted ? kInterrupted : 0;
+  const std::string json = smore::toJson(scenario, arguments.parameters, trials);
+  return write(json, arguments.output) ? exitCode(trials) : kInternalError;
 }
 
 }  // namespace

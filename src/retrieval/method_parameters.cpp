@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "smore/common/result.h"
+#include "smore/common/yaml_file.h"
 
 namespace smore {
 namespace {

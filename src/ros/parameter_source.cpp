@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "smore/common/result.h"
+#include "smore/scenario/scenario_files.h"
 
 namespace smore {
 namespace {

@@ -2,13 +2,12 @@
 #include "smore/scenario/scenario.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <functional>
+#include <sstream>
 
 #include "shape_reader.h"
 #include "smore/common/parameters.h"
-#include "smore/common/result.h"
+#include "smore/common/yaml_file.h"
 
 namespace smore {
 namespace {
@@ -25,6 +24,11 @@ constexpr Range kBias{-1e3, 1e3};    // [N], [N m]
 constexpr Range kMass{1e-3, 100.0};  // [kg]
 constexpr int kMaxTouches = 1000000;
 
+// OctoMap numbers the voxels of each axis with 16 bits, half of them on either side of zero.
+constexpr double kVoxelsPerHalfAxis = 32768.0;
+// The laws look along a line of action so far to either side of the object's origin [m].
+constexpr double kLineReach = 1.0;
+
 using ReadSection = std::function<void(ParameterReader*)>;
 
 void ifGiven(ParameterReader* reader, const std::string& key, const ReadSection& read) {
@@ -32,6 +36,10 @@ void ifGiven(ParameterReader* reader, const std::string& key, const ReadSection&
   ParameterReader section = reader->nested(key);
   read(&section);
   section.finishNested();
+}
+
+void angleIfGiven(ParameterReader* reader, const std::string& key, double* value, Range range) {
+  if (reader->has(key)) reader->angle(key, value, range);
 }
 
 void numberIfGiven(ParameterReader* reader, const std::string& key, double* value, Range range) {
@@ -67,7 +75,7 @@ void readTask(ParameterReader* reader, Scenario* scenario) {
   readPoseAt(reader, "goal", &scenario->goal);
   ifGiven(reader, "goal_tolerance", [scenario](ParameterReader* section) {
     numberIfGiven(section, "position", &scenario->goal_position_tolerance, kPositionTolerance);
-    numberIfGiven(section, "angle", &scenario->goal_angle_tolerance, kAngleTolerance);
+    angleIfGiven(section, "angle", &scenario->goal_angle_tolerance, kAngleTolerance);
   });
 }
 
@@ -109,7 +117,7 @@ void readTrial(ParameterReader* reader, Scenario* scenario) {
     readWrenchNoise(section, &scenario->wrench_noise);
   });
   ifGiven(reader, "line_noise", [scenario](ParameterReader* section) {
-    numberIfGiven(section, "direction", &scenario->line_noise.direction, kNoise);
+    angleIfGiven(section, "direction", &scenario->line_noise.direction, kNoise);
     numberIfGiven(section, "offset", &scenario->line_noise.offset, kNoise);
   });
   if (reader->has("on_contact")) {
@@ -120,7 +128,7 @@ void readTrial(ParameterReader* reader, Scenario* scenario) {
   });
   ifGiven(reader, "perturb", [scenario](ParameterReader* section) {
     numberIfGiven(section, "position", &scenario->perturb.position, {0.0, 10.0});
-    numberIfGiven(section, "angle", &scenario->perturb.angle, {0.0, M_PI});
+    angleIfGiven(section, "angle", &scenario->perturb.angle, {0.0, M_PI});
   });
 }
 
@@ -129,6 +137,23 @@ void readArm(ParameterReader* reader, Scenario* scenario) {
   if (reader->has("gripper_object")) {
     readPoseAt(reader, "gripper_object", &scenario->T_gripper_object);
   }
+}
+
+// Distance of the farthest point of the object from its origin, at most [m].
+double reachOf(const std::vector<Shape>& object) {
+  const Bounds bounds = boundsOf(object);
+  return bounds.min.cwiseAbs().cwiseMax(bounds.max.cwiseAbs()).norm();
+}
+
+void checkVoxelKeys(ParameterReader* reader, const Scenario& scenario) {
+  const double reach = std::max(reachOf(scenario.object), kLineReach);
+  const double limit = kVoxelsPerHalfAxis * scenario.voxel_size - reach;
+  const Bounds& workspace = scenario.workspace;
+  if (workspace.min.minCoeff() >= -limit && workspace.max.maxCoeff() <= limit) return;
+  std::ostringstream problem;
+  problem << "beyond what octrees with voxels of " << scenario.voxel_size << " m can hold; keep it "
+          << "from " << -limit << " to " << limit << " m on each axis, or raise voxel_size";
+  reader->error("workspace", problem.str());
 }
 
 void checkInSpace(ParameterReader* reader, const Scenario& scenario) {
@@ -141,20 +166,6 @@ void checkInSpace(ParameterReader* reader, const Scenario& scenario) {
   };
   check("start", scenario.start);
   check("goal", scenario.goal);
-}
-
-std::vector<std::string> scenarioNames(const std::string& directory) {
-  std::vector<std::string> names;
-  std::error_code unreadable;
-  for (const auto& entry : std::filesystem::directory_iterator(directory, unreadable)) {
-    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-bool isReadableFile(const std::string& path) {
-  return std::filesystem::is_regular_file(path) && std::ifstream(path).good();
 }
 
 }  // namespace
@@ -176,20 +187,10 @@ Scenario loadScenario(const std::string& file) {
   readArm(&reader, &scenario);
   if (reader.has("start") && reader.has("goal") && reader.has("workspace")) {
     checkInSpace(&reader, scenario);
+    checkVoxelKeys(&reader, scenario);
   }
   reader.finish();
   return scenario;
-}
-
-std::string findScenario(const std::string& name_or_path, const std::string& directory) {
-  if (isReadableFile(name_or_path)) return name_or_path;
-  std::string file = directory + "/" + name_or_path + ".yaml";
-  if (isReadableFile(file)) return file;
-  std::string known;
-  for (const std::string& name : scenarioNames(directory))
-    known += (known.empty() ? "" : ", ") + name;
-  throw InputError("scenario '" + name_or_path + "' is neither a readable file nor a name in " +
-                   directory + "; use a path or one of: " + (known.empty() ? "(none)" : known));
 }
 
 }  // namespace smore

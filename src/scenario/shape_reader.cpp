@@ -56,7 +56,7 @@ Pose readPose(ParameterReader* reader) {
   Vec3 position = Vec3::Zero();
   Vec3 rpy = Vec3::Zero();
   reader->vector("position", &position, kPosition);
-  if (reader->has("rpy")) reader->vector("rpy", &rpy);
+  if (reader->has("rpy")) reader->angles("rpy", &rpy);
   return makePose(position, rpy);
 }
 

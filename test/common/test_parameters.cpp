@@ -82,14 +82,5 @@ TEST(ParameterReader, refusesAFileThatIsNoMapping) {
   EXPECT_NE(problemsOf([](ParameterReader*) {}, "").find("expected a mapping"), std::string::npos);
 }
 
-TEST(LoadYaml, namesTheFileThatCannotBeRead) {
-  try {
-    loadYaml("/nowhere/file.yaml");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("/nowhere/file.yaml"), std::string::npos);
-  }
-}
-
 }  // namespace
 }  // namespace smore

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "smore/experiment/experiment.h"
@@ -88,6 +90,24 @@ TEST(RunExperiment, leavesInterruptedTrialsOut) {
       [&](const ExperimentProgress& progress) { interrupted = interrupted || progress.finished; });
   EXPECT_GE(trials.size(), 1u);
   EXPECT_LT(trials.size(), 100u);
+}
+
+TEST(RunExperiment, aTrialThatBreaksCostsNoOther) {
+  ExperimentParameters parameters = parametersFor(MethodKind::kPaper);
+  parameters.trials = 3;
+  parameters.max_collisions = 1;
+  parameters.maps_directory = ::testing::TempDir() + "smore_broken_trial";
+  std::filesystem::remove_all(parameters.maps_directory);
+  std::filesystem::create_directories(parameters.maps_directory);
+  std::ofstream(parameters.maps_directory + "/seed_2") << "a file where a directory should be";
+  const auto trials = runExperiment(smallScene(), parameters, kNotInterrupted, [](const auto&) {});
+  std::filesystem::remove_all(parameters.maps_directory);
+  ASSERT_EQ(trials.size(), 3u);
+  EXPECT_FALSE(trials[0].broken);
+  EXPECT_FALSE(trials[2].broken);
+  EXPECT_TRUE(trials[1].broken);
+  EXPECT_FALSE(trials[1].success);
+  EXPECT_NE(trials[1].reason.find("seed_2"), std::string::npos) << trials[1].reason;
 }
 
 TEST(RunExperiment, reconstructsByTouchingUntilTheBudget) {

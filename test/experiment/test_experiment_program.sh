@@ -25,7 +25,9 @@ reference=$scenarios/s_shape_two_pegs.yaml
 expect 2 "--scenario is required"
 expect 2 "--trials" --scenario "$reference" --trials 0
 expect 2 "--method" --scenario "$reference" --method guess
-expect 2 "/nowhere.yaml: cannot be read" --scenario /nowhere.yaml
+expect 2 "scenario '/nowhere.yaml': there is no readable file" --scenario /nowhere.yaml
+expect 2 "one of: c_on_peg, chair" --scenario nowhere
+expect 0 "/one_peg.yaml: valid" --scenario one_peg --validate
 sed 's/voxel_size: 0.03/voxel_size: -1/; s/task:/tusk:/' "$reference" >"$directory/bad.yaml"
 expect 2 "voxel_size" --scenario "$directory/bad.yaml"
 expect 2 "tusk: unknown key" --scenario "$directory/bad.yaml"
@@ -41,6 +43,13 @@ expect 1 "cannot be written" --scenario "$reference" --output /nowhere/result.js
 expect 1 "/proc/evidence: cannot be made" --scenario "$reference" --record /proc/evidence
 expect 1 "result.json: cannot be made" --scenario "$reference" \
   --record "$directory/bad.yaml/result.json"
+# What fails at the end only, as a full disk does, loses nothing.
+expect 1 "the results are on standard output" --scenario "$reference" --method paper --max-collisions 1 \
+  --output /dev/full
+if ! grep -q '"collisions": 1,' "$directory/out"; then
+  echo "the results of a file that cannot be written are lost"
+  failures=$((failures + 1))
+fi
 expect 0 "limit of 2 collisions" --scenario "$reference" --method paper --max-collisions 2 \
   --output "$directory/result.json" --maps "$directory/maps" --record "$directory/new/record"
 

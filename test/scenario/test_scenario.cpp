@@ -200,17 +200,21 @@ TEST_F(ScenarioTest, unreadableFilesAreProblems) {
   expectProblem("", "expected a mapping");
 }
 
-TEST_F(ScenarioTest, findsByPathThenByName) {
-  const std::string file = directory_.write("scene.yaml", minimal());
-  EXPECT_EQ(findScenario(file, "/nowhere"), file);
-  EXPECT_EQ(findScenario("scene", directory_.path()), directory_.path() + "/scene.yaml");
-  try {
-    findScenario("scone", directory_.path());
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("one of: scene"), std::string::npos);
-  }
-  EXPECT_THROW(findScenario("scene", "/nowhere"), InputError);
+TEST_F(ScenarioTest, anglesInDegreesAreProblems) {
+  const auto with = [](const std::string& more) { return minimal() + more; };
+  expectProblem(replaced(minimal(), "goal: {position: [-1, 0, 0]}",
+                         "goal: {position: [-1, 0, 0], rpy: [0, 0, 90]}"),
+                "goal.rpy: '90' is beyond 2 pi; angles are in radians");
+  expectProblem(with("perturb: {angle: 10}\n"), "10 looks like degrees");
+  expectProblem(with("goal_tolerance: {angle: 10}\n"), "10 looks like degrees");
+}
+
+TEST_F(ScenarioTest, whatTheOctreesCannotHoldIsAProblem) {
+  // 32768 voxels of 1 mm to either side, less the object's half diagonal of sqrt(14) / 2 m.
+  const std::string fine = replaced(minimal(), "voxel_size: 0.03", "voxel_size: 0.001");
+  EXPECT_EQ(load(replaced(fine, "max: [1,", "max: [30.8,")).name, "small");
+  expectProblem(replaced(fine, "max: [1,", "max: [31,"), "keep it from -30.8972 to 30.8972 m");
+  expectProblem(replaced(fine, "min: [-2,", "min: [-31,"), "raise voxel_size");
 }
 
 TEST(ShippedScenarios, allLoadAndAreNamedAsTheirFiles) {

@@ -23,8 +23,9 @@ struct Range {
 /// user sees all errors at once. Each reader call marks its key as known; `finish` reports every
 /// key that nobody asked for and throws if there was any error.
 ///
-/// Values are finite; numbers outside their range, values of a wrong type, unknown and missing keys
-/// are errors that name file, key, value and remedy. After an error the target keeps its value.
+/// Scalars are those of YAML 1.2's core schema. Values are finite; numbers outside their range,
+/// values of a wrong type, unknown and missing keys are errors that name file, key, value and
+/// remedy. After an error the target keeps its value.
 class ParameterReader {
  public:
   /// `source` names the file or the node in messages. A node that is not a mapping is an error.
@@ -32,6 +33,9 @@ class ParameterReader {
 
   /// Required keys: missing is an error.
   void number(const std::string& key, double* value, Range range = {});
+  /// Angles [rad] of a full turn at most, so that degrees are told.
+  void angle(const std::string& key, double* value, Range range = {});
+  void angles(const std::string& key, Vec3* value);
   void integer(const std::string& key, int* value, int min, int max);
   void boolean(const std::string& key, bool* value);
   void text(const std::string& key, std::string* value);
@@ -39,7 +43,8 @@ class ParameterReader {
   void choice(const std::string& key, const std::vector<std::string>& choices, int* index);
   void vector(const std::string& key, Vec3* value, Range range = {});
 
-  bool has(const std::string& key) const;
+  /// Whether the key is given. Marks it as known.
+  bool has(const std::string& key);
 
   /// Reader of a nested mapping (an empty one if the key is missing, after noting the error). It
   /// shares this reader's list of errors; its unknown keys are reported by its own `finishNested`.
@@ -66,8 +71,5 @@ class ParameterReader {
   std::set<std::string> known_;
   std::shared_ptr<std::vector<std::string>> errors_;
 };
-
-/// Parses a YAML file; InputError with file and line if it cannot be read or parsed.
-YAML::Node loadYaml(const std::string& file);
 
 }  // namespace smore

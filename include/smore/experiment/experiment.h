@@ -42,7 +42,8 @@ struct TouchScore {
 struct TrialResult {
   std::uint64_t seed = 0;
   bool success = false;
-  std::string reason;  ///< why it ended
+  bool broken = false;  ///< an error ended it: the counts are those last told, the rest is void
+  std::string reason;   ///< why it ended
   int collisions = 0;
   int plans = 0;
   double path_length = 0.0;  ///< executed in the last attempt [m]
@@ -69,13 +70,13 @@ struct ExperimentProgress {
 
 using ExperimentCallback = std::function<void(const ExperimentProgress&)>;
 
-/// Runs one trial. std::runtime_error if the simulation fails.
+/// Runs one trial. std::exception if the simulation fails or the maps cannot be written.
 TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& parameters,
                      std::uint64_t seed, const std::atomic<bool>& interrupted,
                      const ExperimentCallback& on_progress);
 
 /// Runs all trials, in the order of their seeds in the result. When `interrupted` becomes true,
-/// running trials end at their next motion and are left out.
+/// running trials end at their next motion and are left out. A trial that throws is `broken`.
 std::vector<TrialResult> runExperiment(const Scenario& scenario,
                                        const ExperimentParameters& parameters,
                                        const std::atomic<bool>& interrupted,

@@ -76,12 +76,8 @@ bool tiltsPayload(const Scenario& scenario);
 
 /// Reads a scenario file. InputError with every problem, one a line (file, key, remedy): unreadable
 /// or malformed files, unknown or missing keys, impossible values, start or goal outside of the
-/// workspace, a concave mesh for the object. Whether start and goal are free of contact is checked
-/// by the simulation, which knows the shapes' geometry.
+/// workspace, a workspace beyond the octrees' keys. Whether start and goal are free of contact is
+/// checked by the simulation, which knows the shapes' geometry.
 Scenario loadScenario(const std::string& file);
-
-/// The file that `name_or_path` means: itself if it is a readable file, else NAME.yaml in
-/// `directory`. InputError that lists the scenarios of `directory` where neither exists.
-std::string findScenario(const std::string& name_or_path, const std::string& directory);
 
 }  // namespace smore
