@@ -19,12 +19,12 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-import yaml
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 from matplotlib.lines import Line2D
 
 from octree_file import OctreeFileError, read_octree
+from scene_file import SceneFileError
 from scene_geometry import Scene, View, outline_mask, transform
 
 UNKNOWN = "#c3cedb"
@@ -44,7 +44,7 @@ LEAST_SCALE = 0.5  # colours end at the largest probability of a map, but not be
 
 def arguments():
     parser = argparse.ArgumentParser(description="Draws the maps of a run beside the true outlines.")
-    parser.add_argument("--scenario", required=True, help="scenario file (YAML)")
+    parser.add_argument("--scenario", required=True, help="name in config/scenarios, scenario file, or its scene as JSON")
     parser.add_argument("--maps", required=True, help="directory of world.ot and object.ot")
     parser.add_argument("--output", help="picture to write (default: DIR/maps.png)")
     parser.add_argument("--path", help="JSON file whose 'path' lists poses [x, y, z, ...] to draw")
@@ -246,7 +246,7 @@ def main():
         scene = Scene(options.scenario)
         world, found = read_octree(maps / "world.ot"), read_octree(maps / "object.ot")
         figure = draw(scene, world, found, read_path(options.path))
-    except (OSError, OctreeFileError, KeyError, ValueError, yaml.YAMLError) as problem:
+    except (OSError, OctreeFileError, KeyError, ValueError, SceneFileError) as problem:
         sys.exit(f"plot_maps: {problem}")
     figure.suptitle(options.title or f"{scene.name}: what was learnt by touch", fontsize=13)
     figure.savefig(output, dpi=160)

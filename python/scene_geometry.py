@@ -1,12 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The solids of a scenario file as triangles, and their outlines in a plane."""
-import pathlib
-import struct
-
+"""The solids of a scenario as triangles, and their outlines in a plane."""
 import numpy as np
-import yaml
 
-ROUND_FACETS = 96  # of circles: their polygon is within 0.1 % of the radius
+from scene_file import read_scene
+
 MASK_CELL = 0.002  # of the grids that outlines are drawn from [m]
 
 
@@ -25,7 +22,7 @@ def rotation_of(rpy):
 def pose_of(mapping):
     """4 x 4 matrix of {position, rpy}."""
     pose = np.eye(4)
-    pose[:3, :3] = rotation_of(mapping.get("rpy", [0, 0, 0]))
+    pose[:3, :3] = rotation_of(mapping["rpy"])
     pose[:3, 3] = mapping["position"]
     return pose
 
@@ -34,96 +31,23 @@ def transform(pose, points):
     return points @ pose[:3, :3].T + pose[:3, 3]
 
 
-def _surface_of_rings(rings):
-    """Triangles between neighbouring rings of equally many points, and fans that close both ends."""
-    triangles = []
-    for lower, upper in zip(rings[:-1], rings[1:]):
-        for i in range(len(lower)):
-            j = (i + 1) % len(lower)
-            triangles += [(lower[i], lower[j], upper[j]), (lower[i], upper[j], upper[i])]
-    for ring in (rings[0], rings[-1]):
-        center = np.mean(ring, axis=0)
-        triangles += [(center, ring[i], ring[(i + 1) % len(ring)]) for i in range(len(ring))]
-    return np.array(triangles)
-
-
-def _ring(radius, z, angles):
-    return np.stack([radius * np.cos(angles), radius * np.sin(angles), np.full_like(angles, z)], 1)
-
-
-def _box(shape):
-    x, y, z = np.array(shape["size"], dtype=float) / 2.0
-    corners = np.array([[x, y, 0], [-x, y, 0], [-x, -y, 0], [x, -y, 0]])
-    return _surface_of_rings([corners - [0, 0, z], corners + [0, 0, z]])
-
-
-def _cylinder(shape):
-    angles = np.linspace(0.0, 2.0 * np.pi, ROUND_FACETS, endpoint=False)
-    half = shape["length"] / 2.0
-    return _surface_of_rings([_ring(shape["radius"], z, angles) for z in (-half, half)])
-
-
-def _sphere(shape):
-    angles = np.linspace(0.0, 2.0 * np.pi, ROUND_FACETS, endpoint=False)
-    latitudes = np.linspace(-np.pi / 2.0, np.pi / 2.0, ROUND_FACETS // 2)
-    radius = shape["radius"]
-    return _surface_of_rings(
-        [_ring(radius * np.cos(a), radius * np.sin(a), angles) for a in latitudes]
-    )
-
-
-def _read_obj(text):
-    vertices, triangles = [], []
-    for words in map(str.split, text.splitlines()):
-        if words[:1] == ["v"]:
-            vertices.append([float(word) for word in words[1:4]])
-        elif words[:1] == ["f"]:
-            numbers = [int(word.split("/")[0]) for word in words[1:]]
-            corners = [number - 1 if number > 0 else number for number in numbers]
-            fans = zip(corners[1:-1], corners[2:])
-            triangles += [[vertices[i] for i in (corners[0], b, c)] for b, c in fans]
-    return np.array(triangles)
-
-
-def _read_stl(data):
-    count = struct.unpack_from("<I", data, 80)[0] if len(data) >= 84 else -1
-    if len(data) == 84 + 50 * count:
-        facet = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("extra", "<u2")])
-        return np.frombuffer(data, facet, count, 84)["corners"].astype(float)
-    words = data.decode("ascii", errors="replace").split()
-    starts = [i for i, word in enumerate(words) if word == "vertex"]
-    return np.array([[float(w) for w in words[i + 1 : i + 4]] for i in starts]).reshape(-1, 3, 3)
-
-
-def _mesh(shape, folder):
-    file = pathlib.Path(folder, shape["file"])
-    is_obj = file.suffix.lower() == ".obj"
-    triangles = _read_obj(file.read_text()) if is_obj else _read_stl(file.read_bytes())
-    return triangles * np.array(shape.get("scale", [1, 1, 1]), dtype=float)
-
-
-def triangles_of(shape, folder):
-    """Triangles (n, 3, 3) of one solid in its parent frame [m]."""
-    if shape["type"] == "mesh":
-        local = _mesh(shape, folder)
-    else:
-        local = {"box": _box, "cylinder": _cylinder, "sphere": _sphere}[shape["type"]](shape)
-    pose = pose_of({"position": shape.get("position", [0, 0, 0]), "rpy": shape.get("rpy", [0, 0, 0])})
-    return transform(pose, local.reshape(-1, 3)).reshape(-1, 3, 3)
+def triangles_of(body):
+    """Triangles (n, 3, 3) of each solid of a body in its parent frame [m]."""
+    return [np.array(shape["triangles"], dtype=float).reshape(-1, 3, 3) for shape in body["shapes"]]
 
 
 class Scene:
-    """A scenario file, as far as pictures need it."""
+    """A scenario, as far as pictures need it: a name in config/scenarios, a scenario file, or the file
+    that smore_experiment --validate --output wrote of one."""
 
-    def __init__(self, file):
-        self.settings = yaml.safe_load(pathlib.Path(file).read_text())
-        folder = pathlib.Path(file).parent
-        self.name = self.settings["name"]
-        self.planar = self.settings.get("motion", "planar") == "planar"
-        self.start = pose_of(self.settings["start"])
-        self.goal = pose_of(self.settings["goal"])
-        self.object = [triangles_of(s, folder) for s in self.settings["object"]["shapes"]]
-        self.environment = [triangles_of(s, folder) for s in self.settings["environment"]["shapes"]]
+    def __init__(self, name_or_path):
+        settings = read_scene(name_or_path)
+        self.name = settings["name"]
+        self.planar = settings["motion"] == "planar"
+        self.start = pose_of(settings["start"])
+        self.goal = pose_of(settings["goal"])
+        self.object = triangles_of(settings["object"])
+        self.environment = triangles_of(settings["environment"])
 
 
 class View:

@@ -63,8 +63,8 @@ TouchScore touchFurther(const Scenario& scene, int touches, Robot* robot, const 
   TouchScore score;
   score.touches = outcome.collisions;
   score.reason = outcome.reason;
-  score.object_map = scoreMap(method.maps->object(), scene.object);
-  score.world_map = scoreMap(method.maps->world(), scene.environment);
+  score.object_map = scoreObjectMap(method.maps->object(), scene);
+  score.world_map = scoreWorldMap(method.maps->world(), scene);
   score.object_surface_recall = surfaceRecall(method.maps->object(), surface.object);
   score.world_surface_recall = surfaceRecall(method.maps->world(), surface.world);
   return score;
@@ -82,8 +82,8 @@ TrialResult resultOf(const RetrievalOutcome& outcome, const Scenario& scene, con
   result.motions = outcome.motions;
   result.mapping_s = robot.times().sensing_and_mapping;
   result.simulation_s = robot.times().simulation;
-  result.object_map = scoreMap(method.maps->object(), scene.object);
-  result.world_map = scoreMap(method.maps->world(), scene.environment);
+  result.object_map = scoreObjectMap(method.maps->object(), scene);
+  result.world_map = scoreWorldMap(method.maps->world(), scene);
   return result;
 }
 

@@ -7,13 +7,16 @@
 #include <atomic>
 #include <csignal>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 
 #include "smore/common/result.h"
 #include "smore/experiment/experiment.h"
 #include "smore/experiment/output_paths.h"
 #include "smore/experiment/progress_display.h"
 #include "smore/scenario/scenario_files.h"
+#include "smore/scenario/scenario_json.h"
 #include "smore/simulation/simulated_robot.h"
 
 namespace {
@@ -63,7 +66,9 @@ void declare(CLI::App* app, Arguments* arguments) {
       ->capture_default_str();
   app->add_flag("--random-touches", parameters.random_touches,
                 "touch at random where the method would choose; for comparison");
-  app->add_option("--output", arguments->output, "result file (JSON) instead of standard output");
+  app->add_option(
+      "--output", arguments->output,
+      "result file (JSON) instead of standard output; with --validate, the scenario as read");
   app->add_option("--maps", parameters.maps_directory, "directory for each trial's octrees");
   app->add_option("--record", parameters.record_directory,
                   "directory for each trial's evidence (seed_N.evidence)");
@@ -100,6 +105,19 @@ bool write(const std::string& json, const std::string& file) {
   return false;
 }
 
+// What meshes of the object became that do not move as one convex solid.
+std::string decompositions(const smore::Scenario& scenario) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1);
+  for (const smore::Shape& shape : scenario.object) {
+    const auto* mesh = std::get_if<smore::MeshShape>(&shape.geometry);
+    if (mesh == nullptr || mesh->parts.empty()) continue;
+    text << "; " << mesh->file << " moves as " << mesh->parts.size()
+         << " convex parts, whose surface is up to " << 1000.0 * mesh->parts_error << " mm off";
+  }
+  return text.str();
+}
+
 // The errors of broken trials are in the results; the exit code tells of them.
 int exitCode(const std::vector<smore::TrialResult>& trials) {
   if (interrupted) return kInterrupted;
@@ -121,8 +139,11 @@ int run(Arguments arguments) {
   }
   (void)smore::makeSimulatedRobot(scenario, arguments.parameters.seed);  // refuses what cannot be
   if (arguments.validate) {
-    std::cerr << file << ": valid" << std::endl;
-    return 0;
+    const bool told =
+        arguments.output.empty() || writeFile(smore::toJson(scenario), arguments.output);
+    if (!told) std::cerr << arguments.output << ": cannot be written" << std::endl;
+    std::cerr << file << ": valid" << decompositions(scenario) << std::endl;
+    return told ? 0 : kInternalError;
   }
   if (!canWriteOutputs(arguments)) return kInternalError;
   smore::ProgressDisplay display(&std::cerr, isatty(STDERR_FILENO) != 0,

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "smore/mapping/octomap_export.h"
+#include "smore/scenario/solid_distance.h"
 
 namespace smore {
 namespace {
@@ -21,12 +22,10 @@ constexpr double kTouchDistance = 0.02;  // what is nearer at a free pose can be
 using Cell = std::array<int, 3>;
 
 // Moves a point within the plane onto the surface, by Newton's method along the distance's slope.
-Vec3 ontoSurface(const std::vector<Shape>& shapes, const Pose& T_shapes_plane, Vec3 in_plane) {
+Vec3 ontoSurface(const SolidDistance& solids, const Pose& T_shapes_plane, Vec3 in_plane) {
   constexpr double kSlopeStep = 1e-4;  // [m]
   constexpr int kIterations = 4;
-  const auto distance = [&](const Vec3& point) {
-    return signedDistance(shapes, T_shapes_plane * point);
-  };
+  const auto distance = [&](const Vec3& point) { return solids(T_shapes_plane * point); };
   for (int i = 0; i < kIterations; ++i) {
     Vec3 slope = Vec3::Zero();
     for (int axis = 0; axis < 2; ++axis) {
@@ -39,21 +38,21 @@ Vec3 ontoSurface(const std::vector<Shape>& shapes, const Pose& T_shapes_plane, V
   return in_plane;
 }
 
-// Points of the shapes' outline in the x-y plane of `T_shapes_plane`.
-std::vector<Vec3> outline(const std::vector<Shape>& shapes, const Pose& T_shapes_plane) {
-  const Bounds bounds = boundsOf(shapes);
-  const double reach = (bounds.max - bounds.min).norm();
-  const Vec3 middle = T_shapes_plane.inverse() * Vec3(0.5 * (bounds.min + bounds.max));
+// Points of the shapes' outline in the x-y plane of `T_shapes_plane`, within `region`.
+std::vector<Vec3> outline(const SolidDistance& solids, const Bounds& region,
+                          const Pose& T_shapes_plane) {
+  const double reach = (region.max - region.min).norm();
+  const Vec3 middle = T_shapes_plane.inverse() * Vec3(0.5 * (region.min + region.max));
   const int half = static_cast<int>(std::ceil(0.5 * reach / kSpacing)) + 1;
   std::set<std::array<long, 2>> taken;
   std::vector<Vec3> points;
   for (int x = -half; x <= half; ++x) {
     for (int y = -half; y <= half; ++y) {
       const Vec3 cell(middle.x() + x * kSpacing, middle.y() + y * kSpacing, 0.0);
-      if (std::abs(signedDistance(shapes, T_shapes_plane * cell)) > kSpacing) continue;
-      const Vec3 point = ontoSurface(shapes, T_shapes_plane, cell);
+      if (std::abs(solids(T_shapes_plane * cell)) > kSpacing) continue;
+      const Vec3 point = ontoSurface(solids, T_shapes_plane, cell);
       const Vec3 in_shapes = T_shapes_plane * point;
-      if (std::abs(signedDistance(shapes, in_shapes)) > 0.1 * kSpacing) continue;
+      if (std::abs(solids(in_shapes)) > 0.1 * kSpacing) continue;
       if (taken.insert({std::lround(point.x() / kSpacing), std::lround(point.y() / kSpacing)})
               .second) {
         points.push_back(in_shapes);
@@ -63,13 +62,25 @@ std::vector<Vec3> outline(const std::vector<Shape>& shapes, const Pose& T_shapes
   return points;
 }
 
+// The part of the environment that the object may touch.
+Bounds touchedRegion(const Scenario& scenario) {
+  const Bounds solids = boundsOf(scenario.environment);
+  const Bounds region = regionOfContacts(scenario);
+  const auto into = [&](const Vec3& point) -> Vec3 {
+    return point.cwiseMax(region.min).cwiseMin(region.max);
+  };
+  return {into(solids.min), into(solids.max)};
+}
+
 /// Visits all poses that can be reached and notes what comes near the other body.
 class Flood {
  public:
   explicit Flood(const Scenario& scenario)
       : scenario_(scenario),
-        object_(outline(scenario.object, Pose::Identity())),
-        world_(outline(scenario.environment, scenario.start)),
+        object_solids_(scenario.object),
+        world_solids_(scenario.environment),
+        object_(outline(object_solids_, boundsOf(scenario.object), Pose::Identity())),
+        world_(outline(world_solids_, touchedRegion(scenario), scenario.start)),
         object_touched_(object_.size(), false),
         world_touched_(world_.size(), false) {}
 
@@ -106,17 +117,17 @@ class Flood {
     if (!scenario_.motionSpace().contains(T_world_object)) return false;
     near_world_.clear();
     near_object_.clear();
-    if (!freeOf(world_, scenario_.object, T_world_object.inverse(), &near_world_)) return false;
-    if (!freeOf(object_, scenario_.environment, T_world_object, &near_object_)) return false;
+    if (!freeOf(world_, object_solids_, T_world_object.inverse(), &near_world_)) return false;
+    if (!freeOf(object_, world_solids_, T_world_object, &near_object_)) return false;
     for (const int i : near_object_) object_touched_[i] = true;
     for (const int i : near_world_) world_touched_[i] = true;
     return true;
   }
 
-  static bool freeOf(const std::vector<Vec3>& points, const std::vector<Shape>& other,
+  static bool freeOf(const std::vector<Vec3>& points, const SolidDistance& other,
                      const Pose& T_other_points, std::vector<int>* near) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const double distance = signedDistance(other, T_other_points * points[i]);
+      const double distance = other(T_other_points * points[i]);
       if (distance <= 0.0) return false;
       if (distance <= kTouchDistance) near->push_back(static_cast<int>(i));
     }
@@ -132,6 +143,8 @@ class Flood {
   }
 
   const Scenario& scenario_;
+  SolidDistance object_solids_;
+  SolidDistance world_solids_;
   std::vector<Vec3> object_;
   std::vector<Vec3> world_;
   std::vector<bool> object_touched_;

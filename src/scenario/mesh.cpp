@@ -2,121 +2,135 @@
 #include "smore/scenario/mesh.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <set>
+#include <sstream>
 #include <utility>
 
 #include "mesh_file.h"
 #include "smore/common/result.h"
+#include "triangle_tree.h"
 
 namespace smore {
 namespace {
 
-struct ByCoordinates {
-  bool operator()(const Vec3& a, const Vec3& b) const {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-  }
-};
+// Nothing that a hand could hold or reach is larger or farther from its own origin [m].
+constexpr double kLargest = 100.0;
 
-// Triangles of which two corners coincide enclose nothing and are left out.
-MeshShape mergeVertices(const TriangleSoup& triangles, const Vec3& scale, const std::string& file) {
+Vec3 extentOf(const MeshShape& mesh) {
+  const Bounds bounds = boundsOf({{mesh, Pose::Identity()}});
+  return bounds.max - bounds.min;
+}
+
+MeshShape scaled(MeshFile content, const Vec3& scale, const std::string& file) {
   MeshShape mesh;
   mesh.file = file;
-  std::map<Vec3, int, ByCoordinates> indices;
-  for (const auto& triangle : triangles) {
-    Eigen::Vector3i corners;
-    for (int i = 0; i < 3; ++i) {
-      const Vec3 vertex = triangle[static_cast<size_t>(i)].cwiseProduct(scale);
-      if (!vertex.allFinite()) throw InputError(file + ": a vertex is not finite; repair the mesh");
-      const auto entry = indices.emplace(vertex, static_cast<int>(mesh.vertices.size()));
-      if (entry.second) mesh.vertices.push_back(vertex);
-      corners[i] = entry.first->second;
-    }
-    const bool degenerate =
-        corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
-    if (!degenerate) mesh.triangles.push_back(corners);
+  mesh.scale = scale;
+  mesh.vertices = std::move(content.vertices);
+  mesh.triangles = std::move(content.triangles);
+  for (Vec3& vertex : mesh.vertices) {
+    vertex = vertex.cwiseProduct(scale).eval();
+    if (!vertex.allFinite()) throw InputError(file + ": a vertex is not finite; repair the mesh");
   }
   return mesh;
 }
 
-// Closed and consistently turned: each directed edge stands once, and so does its opposite.
+void checkSize(const MeshShape& mesh, const Vec3& scale, const std::string& file) {
+  const double size = extentOf(mesh).maxCoeff();
+  std::ostringstream problem;
+  if (size > kLargest) {
+    const Vec3 try_this = scale / 1000.0;
+    problem << file << ": " << size << " m large, above " << kLargest
+            << " m; looks like millimetres; scale: [" << try_this.x() << ", " << try_this.y()
+            << ", " << try_this.z() << "]";
+    throw InputError(problem.str());
+  }
+  const Bounds bounds = boundsOf({{mesh, Pose::Identity()}});
+  const double far = bounds.min.cwiseAbs().cwiseMax(bounds.max.cwiseAbs()).maxCoeff();
+  if (far > kLargest) {
+    problem << file << ": lies " << far << " m from its own origin, beyond " << kLargest
+            << " m; move it there in the program that made it";
+    throw InputError(problem.str());
+  }
+}
+
+// Closed and consistently turned: each directed edge stands as often as its opposite.
 bool isClosed(const MeshShape& mesh) {
-  std::set<std::pair<int, int>> edges;
+  std::vector<std::pair<int, int>> edges;
+  std::vector<std::pair<int, int>> opposites;
   for (const Eigen::Vector3i& triangle : mesh.triangles) {
     for (int i = 0; i < 3; ++i) {
-      if (!edges.emplace(triangle[i], triangle[(i + 1) % 3]).second) return false;
+      edges.emplace_back(triangle[i], triangle[(i + 1) % 3]);
+      opposites.emplace_back(triangle[(i + 1) % 3], triangle[i]);
     }
   }
-  return std::all_of(edges.begin(), edges.end(), [&edges](const std::pair<int, int>& edge) {
-    return edges.count({edge.second, edge.first}) > 0;
-  });
+  std::sort(edges.begin(), edges.end());
+  std::sort(opposites.begin(), opposites.end());
+  return edges == opposites;
 }
 
-double meshSize(const MeshShape& mesh) {
-  Vec3 min = mesh.vertices.front();
-  Vec3 max = min;
-  for (const Vec3& vertex : mesh.vertices) {
-    min = min.cwiseMin(vertex);
-    max = max.cwiseMax(vertex);
+Vec3 areaVector(const TriangleCorners& corners) {
+  return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+}
+
+/// Tells of each triangle whether its centroid is near the convex hull.
+class HullDepth {
+ public:
+  HullDepth(const MeshShape& mesh, double enough)
+      : mesh_(mesh), enough_(enough), tree_(mesh), around_(neighbours(mesh)) {}
+
+  // Each direction bounds the depth from above; the normals of the triangle and of those around it
+  // give the depth itself where the mesh is convex. Those around it serve where a sliver's own
+  // normal is mere rounding.
+  bool isShallow(const Eigen::Vector3i& triangle) const {
+    const TriangleCorners corners = cornersOf(mesh_, triangle);
+    const Vec3 centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
+    if (isShallowAlong(areaVector(corners), centroid)) return true;
+    for (const int vertex : triangle) {
+      for (const int other : around_[static_cast<std::size_t>(vertex)]) {
+        const auto& neighbour = mesh_.triangles[static_cast<std::size_t>(other)];
+        if (isShallowAlong(areaVector(cornersOf(mesh_, neighbour)), centroid)) return true;
+      }
+    }
+    return false;
   }
-  return (max - min).norm();
-}
 
-double distanceToSegment(const Vec3& a, const Vec3& b, const Vec3& point) {
-  const Vec3 along = b - a;
-  const double length_squared = along.squaredNorm();
-  const double t = length_squared > 0.0 ? (point - a).dot(along) / length_squared : 0.0;
-  return (a + std::clamp(t, 0.0, 1.0) * along - point).norm();
-}
-
-double distanceToTriangle(const std::array<Vec3, 3>& corners, const Vec3& point) {
-  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  bool above = normal.squaredNorm() > 0.0;
-  double edge_distance = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < 3; ++i) {
-    const Vec3& a = corners[i];
-    const Vec3& b = corners[(i + 1) % 3];
-    above = above && normal.cross(b - a).dot(point - a) >= 0.0;
-    edge_distance = std::min(edge_distance, distanceToSegment(a, b, point));
+ private:
+  static std::vector<std::vector<int>> neighbours(const MeshShape& mesh) {
+    std::vector<std::vector<int>> around(mesh.vertices.size());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      for (const int vertex : mesh.triangles[i]) {
+        around[static_cast<std::size_t>(vertex)].push_back(static_cast<int>(i));
+      }
+    }
+    return around;
   }
-  return above ? std::abs(normal.normalized().dot(point - corners[0])) : edge_distance;
-}
 
-// Solid angle of a triangle seen from `point` (Van Oosterom and Strackee, 1983).
-double solidAngle(const std::array<Vec3, 3>& corners, const Vec3& point) {
-  const Vec3 a = corners[0] - point;
-  const Vec3 b = corners[1] - point;
-  const Vec3 c = corners[2] - point;
-  const double la = a.norm();
-  const double lb = b.norm();
-  const double lc = c.norm();
-  const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-  return 2.0 * std::atan2(a.dot(b.cross(c)), denominator);
-}
-
-std::array<Vec3, 3> cornersOf(const MeshShape& mesh, const Eigen::Vector3i& triangle) {
-  std::array<Vec3, 3> corners;
-  for (int i = 0; i < 3; ++i) {
-    corners[static_cast<size_t>(i)] = mesh.vertices[static_cast<size_t>(triangle[i])];
+  bool isShallowAlong(const Vec3& direction, const Vec3& point) const {
+    const double length = direction.norm();
+    if (length == 0.0) return false;
+    const Vec3 unit = direction / length;
+    return !tree_.reachesBeyond(unit, unit.dot(point) + enough_);
   }
-  return corners;
-}
+
+  const MeshShape& mesh_;
+  double enough_;  ///< what is not deeper is near [m]
+  TriangleTree tree_;
+  std::vector<std::vector<int>> around_;  ///< triangles at each vertex
+};
 
 }  // namespace
 
 MeshShape loadMesh(const std::string& file, const Vec3& scale) {
-  MeshShape mesh = mergeVertices(readTriangles(file), scale, file);
+  MeshShape mesh = scaled(readMeshFile(file), scale, file);
   if (mesh.triangles.empty()) throw InputError(file + ": no triangles; export the mesh anew");
+  checkSize(mesh, scale, file);
   if (!isClosed(mesh)) {
     throw InputError(file + ": the surface is not closed or its triangles are turned both ways; " +
                      "close its holes and make its normals consistent");
   }
   const double volume = signedVolume(mesh);
   constexpr double kFlat = 1e-9;  // of the cube of the mesh's size: less is rounding
-  if (std::abs(volume) < kFlat * std::pow(meshSize(mesh), 3)) {
+  if (std::abs(volume) < kFlat * std::pow(extentOf(mesh).norm(), 3)) {
     throw InputError(file + ": the mesh encloses no volume; export a solid");
   }
   if (volume < 0.0) {
@@ -128,35 +142,29 @@ MeshShape loadMesh(const std::string& file, const Vec3& scale) {
 double signedVolume(const MeshShape& mesh) {
   double volume = 0.0;
   for (const Eigen::Vector3i& triangle : mesh.triangles) {
-    const std::array<Vec3, 3> corners = cornersOf(mesh, triangle);
+    const TriangleCorners corners = cornersOf(mesh, triangle);
     volume += corners[0].dot(corners[1].cross(corners[2])) / 6.0;
   }
   return volume;
 }
 
+bool servesAsHull(const MeshShape& mesh) {
+  constexpr std::size_t kMaxTriangles = 2000;
+  return mesh.triangles.size() <= kMaxTriangles && isConvex(mesh);
+}
+
 bool isConvex(const MeshShape& mesh) {
-  constexpr double kRelativeTolerance = 1e-6;
-  const double tolerance = kRelativeTolerance * meshSize(mesh);
-  for (const Eigen::Vector3i& triangle : mesh.triangles) {
-    const std::array<Vec3, 3> corners = cornersOf(mesh, triangle);
-    const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-    for (const Vec3& vertex : mesh.vertices) {
-      if (normal.dot(vertex - corners[0]) > tolerance) return false;
+  // Below the hull, the depth is a concave function that is nowhere negative: on a triangle it is
+  // three times that of the centroid at most.
+  const double enough = kConvexTolerance * extentOf(mesh).norm() / 3.0;
+  const HullDepth depth(mesh, enough);
+  constexpr std::size_t kStride = 101;  // a first look everywhere finds most hollows
+  for (std::size_t first = 0; first < kStride; ++first) {
+    for (std::size_t i = first; i < mesh.triangles.size(); i += kStride) {
+      if (!depth.isShallow(mesh.triangles[i])) return false;
     }
   }
   return true;
-}
-
-double signedDistance(const MeshShape& mesh, const Vec3& point) {
-  double distance = std::numeric_limits<double>::infinity();
-  double angle = 0.0;
-  for (const Eigen::Vector3i& triangle : mesh.triangles) {
-    const std::array<Vec3, 3> corners = cornersOf(mesh, triangle);
-    distance = std::min(distance, distanceToTriangle(corners, point));
-    angle += solidAngle(corners, point);
-  }
-  const bool inside = angle > 2.0 * M_PI;  // 4 pi inside, 0 outside
-  return inside ? -distance : distance;
 }
 
 }  // namespace smore

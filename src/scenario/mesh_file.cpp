@@ -1,129 +1,81 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_file.h"
 
-#include <cstdint>
-#include <cstring>
-#include <fstream>
-#include <sstream>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <filesystem>
+#include <set>
 
 #include "smore/common/result.h"
 
 namespace smore {
 namespace {
 
-// Binary STL: 80 bytes of text, a 32-bit count, then 50 bytes a triangle (normal, three vertices,
-// all 32-bit floats, and two spare bytes), little endian.
-constexpr size_t kHeaderBytes = 80;
-constexpr size_t kTriangleBytes = 50;
-constexpr size_t kNormalBytes = 12;
+// All that could keep two vertices at one place apart, or solids of one file in several pieces.
+constexpr int kIgnored = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
+                         aiComponent_COLORS | aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS |
+                         aiComponent_TEXTURES | aiComponent_MATERIALS;
 
-std::string readFile(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  if (!stream || !(content << stream.rdbuf())) {
-    throw InputError(file +
-                     ": mesh cannot be read; check the path (relative to the scenario file)");
+constexpr unsigned kRepairs = aiProcess_RemoveComponent | aiProcess_Triangulate |
+                              aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices |
+                              aiProcess_FindDegenerates | aiProcess_SortByPType;
+
+void configure(Assimp::Importer* importer) {
+  importer->SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, kIgnored);
+  importer->SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  importer->SetPropertyBool(AI_CONFIG_PP_FD_REMOVE, true);
+  // By their area, triangles of a millimetre in metres would go too and leave holes.
+  importer->SetPropertyBool(AI_CONFIG_PP_FD_CHECKAREA, false);
+  importer->SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+}
+
+void checkKind(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return std::tolower(letter); });
+  const std::set<std::string> known = {".stl", ".obj", ".ply", ".dae"};
+  if (known.count(extension) == 0) {
+    throw InputError(file + ": not a mesh of a known kind; export it as STL, OBJ, PLY or DAE");
   }
-  return content.str();
-}
-
-bool isBinaryStl(const std::string& content) {
-  if (content.size() < kHeaderBytes + sizeof(std::uint32_t)) return false;
-  std::uint32_t count = 0;
-  std::memcpy(&count, content.data() + kHeaderBytes, sizeof(count));
-  return content.size() == kHeaderBytes + sizeof(count) + kTriangleBytes * count;
-}
-
-TriangleSoup parseBinaryStl(const std::string& content) {
-  TriangleSoup triangles;
-  for (size_t at = kHeaderBytes + sizeof(std::uint32_t); at < content.size();
-       at += kTriangleBytes) {
-    std::array<float, 9> values{};
-    std::memcpy(values.data(), content.data() + at + kNormalBytes, sizeof(values));
-    std::array<Vec3, 3> triangle;
-    for (size_t i = 0; i < 3; ++i) {
-      triangle[i] = Vec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
-    }
-    triangles.push_back(triangle);
+  if (!std::filesystem::is_regular_file(file)) {
+    throw InputError(file + ": there is no such file; check the path (relative to the scenario)");
   }
-  return triangles;
 }
 
-[[noreturn]] void failAtLine(const std::string& file, int line, const std::string& problem) {
-  throw InputError(file + ": line " + std::to_string(line) + ": " + problem +
-                   "; export the mesh anew as STL or OBJ");
-}
-
-Vec3 parseVertex(std::istringstream* words, const std::string& file, int line) {
-  Vec3 vertex;
-  if (!(*words >> vertex.x() >> vertex.y() >> vertex.z())) {
-    failAtLine(file, line, "expected three coordinates");
+void append(const aiMesh& part, MeshFile* mesh) {
+  const auto first = static_cast<int>(mesh->vertices.size());
+  for (unsigned i = 0; i < part.mNumVertices; ++i) {
+    const aiVector3D& vertex = part.mVertices[i];
+    mesh->vertices.emplace_back(vertex.x, vertex.y, vertex.z);
   }
-  return vertex;
-}
-
-TriangleSoup parseAsciiStl(const std::string& content, const std::string& file) {
-  TriangleSoup triangles;
-  std::vector<Vec3> loop;
-  std::istringstream lines(content);
-  std::string text;
-  for (int line = 1; std::getline(lines, text); ++line) {
-    std::istringstream words(text);
-    std::string word;
-    words >> word;
-    if (word == "vertex") loop.push_back(parseVertex(&words, file, line));
-    if (word != "endloop") continue;
-    if (loop.size() != 3) failAtLine(file, line, "expected three vertices in each facet");
-    triangles.push_back({loop[0], loop[1], loop[2]});
-    loop.clear();
+  for (unsigned i = 0; i < part.mNumFaces; ++i) {
+    const aiFace& face = part.mFaces[i];
+    mesh->triangles.emplace_back(first + static_cast<int>(face.mIndices[0]),
+                                 first + static_cast<int>(face.mIndices[1]),
+                                 first + static_cast<int>(face.mIndices[2]));
   }
-  return triangles;
-}
-
-// OBJ indices count from 1, or backwards from the last vertex where negative; "7/2/3" is vertex 7.
-Vec3 vertexOf(const std::string& word, const std::vector<Vec3>& vertices, const std::string& file,
-              int line) {
-  const long index = std::strtol(word.c_str(), nullptr, 10);
-  const long position = index > 0 ? index - 1 : static_cast<long>(vertices.size()) + index;
-  if (index == 0 || position < 0 || position >= static_cast<long>(vertices.size())) {
-    failAtLine(file, line, "no vertex '" + word + "'");
-  }
-  return vertices[static_cast<size_t>(position)];
-}
-
-TriangleSoup parseObj(const std::string& content, const std::string& file) {
-  TriangleSoup triangles;
-  std::vector<Vec3> vertices;
-  std::istringstream lines(content);
-  std::string text;
-  for (int line = 1; std::getline(lines, text); ++line) {
-    std::istringstream words(text);
-    std::string word;
-    words >> word;
-    if (word == "v") vertices.push_back(parseVertex(&words, file, line));
-    if (word != "f") continue;
-    std::vector<Vec3> corners;
-    while (words >> word) corners.push_back(vertexOf(word, vertices, file, line));
-    if (corners.size() < 3) failAtLine(file, line, "expected three vertices or more in each face");
-    for (size_t i = 2; i < corners.size(); ++i) {
-      triangles.push_back({corners[0], corners[i - 1], corners[i]});
-    }
-  }
-  return triangles;
-}
-
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 }  // namespace
 
-TriangleSoup readTriangles(const std::string& file) {
-  const std::string content = readFile(file);
-  if (endsWith(file, ".obj") || endsWith(file, ".OBJ")) return parseObj(content, file);
-  if (isBinaryStl(content)) return parseBinaryStl(content);
-  if (content.compare(0, 5, "solid") == 0) return parseAsciiStl(content, file);
-  throw InputError(file + ": neither STL nor OBJ, or cut short; export the mesh anew");
+MeshFile readMeshFile(const std::string& file) {
+  checkKind(file);
+  Assimp::Importer importer;
+  configure(&importer);
+  const aiScene* scene = importer.ReadFile(file, kRepairs);
+  if (scene == nullptr) {
+    throw InputError(file + ": cannot be read as a mesh (" + importer.GetErrorString() +
+                     "); export it anew");
+  }
+  MeshFile mesh;
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], &mesh);
+  return mesh;
 }
 
 }  // namespace smore

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -9,10 +8,16 @@
 
 namespace smore {
 
-using TriangleSoup = std::vector<std::array<Vec3, 3>>;
+/// Vertices and the triangles that they make, as a file has them.
+struct MeshFile {
+  std::vector<Vec3> vertices;
+  std::vector<Eigen::Vector3i> triangles;
+};
 
-/// The triangles of an STL or OBJ file as they stand there; polygons of an OBJ are split into fans.
-/// InputError where the file cannot be read or is neither.
-TriangleSoup readTriangles(const std::string& file);
+/// Reads an STL, OBJ, PLY or DAE file with assimp: all its solids in the coordinates of the file
+/// (of a DAE with its nodes' transforms and its unit, in metres, but not turned for its up axis),
+/// polygons cut into triangles, equal vertices joined, triangles of which two corners coincide left
+/// out. Coordinates are those of 32-bit floats. InputError where the file cannot be read as such.
+MeshFile readMeshFile(const std::string& file);
 
 }  // namespace smore

@@ -2,6 +2,7 @@
 #include "smore/scenario/scenario.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <sstream>
 
@@ -139,14 +140,9 @@ void readArm(ParameterReader* reader, Scenario* scenario) {
   }
 }
 
-// Distance of the farthest point of the object from its origin, at most [m].
-double reachOf(const std::vector<Shape>& object) {
-  const Bounds bounds = boundsOf(object);
-  return bounds.min.cwiseAbs().cwiseMax(bounds.max.cwiseAbs()).norm();
-}
-
 void checkVoxelKeys(ParameterReader* reader, const Scenario& scenario) {
   const double reach = std::max(reachOf(scenario.object), kLineReach);
+  if (!std::isfinite(reach)) return;  // a mesh that could not be read
   const double limit = kVoxelsPerHalfAxis * scenario.voxel_size - reach;
   const Bounds& workspace = scenario.workspace;
   if (workspace.min.minCoeff() >= -limit && workspace.max.maxCoeff() <= limit) return;
@@ -169,6 +165,16 @@ void checkInSpace(ParameterReader* reader, const Scenario& scenario) {
 }
 
 }  // namespace
+
+double reachOf(const std::vector<Shape>& object) {
+  const Bounds bounds = boundsOf(object);
+  return bounds.min.cwiseAbs().cwiseMax(bounds.max.cwiseAbs()).norm();
+}
+
+Bounds regionOfContacts(const Scenario& scenario) {
+  const Vec3 reach = Vec3::Constant(reachOf(scenario.object));
+  return {scenario.workspace.min - reach, scenario.workspace.max + reach};
+}
 
 bool tiltsPayload(const Scenario& scenario) {
   return scenario.robot == RobotKind::kUr5e && scenario.motion == Motion::kSpatial;

@@ -1,34 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/scenario/shape.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "smore/scenario/mesh.h"
-
 namespace smore {
 namespace {
-
-double distanceInFrame(const BoxShape& box, const Vec3& point) {
-  const Vec3 beyond = point.cwiseAbs() - box.size / 2.0;
-  return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0);
-}
-
-double distanceInFrame(const CylinderShape& cylinder, const Vec3& point) {
-  const double radial = std::hypot(point.x(), point.y()) - cylinder.radius;
-  const double axial = std::abs(point.z()) - cylinder.length / 2.0;
-  const double outside = std::hypot(std::max(radial, 0.0), std::max(axial, 0.0));
-  return outside + std::min(std::max(radial, axial), 0.0);
-}
-
-double distanceInFrame(const SphereShape& sphere, const Vec3& point) {
-  return point.norm() - sphere.radius;
-}
-
-double distanceInFrame(const MeshShape& mesh, const Vec3& point) {
-  return signedDistance(mesh, point);
-}
 
 Bounds symmetricBounds(const Pose& pose, const Vec3& extent) {
   return {pose.translation() - extent, pose.translation() + extent};
@@ -60,16 +37,6 @@ Bounds boundsInParent(const MeshShape& mesh, const Pose& pose) {
 }
 
 }  // namespace
-
-double signedDistance(const std::vector<Shape>& shapes, const Vec3& point) {
-  double distance = std::numeric_limits<double>::infinity();
-  for (const Shape& shape : shapes) {
-    const Vec3 local = shape.pose.inverse() * point;
-    const auto distance_to = [&local](const auto& solid) { return distanceInFrame(solid, local); };
-    distance = std::min(distance, std::visit(distance_to, shape.geometry));
-  }
-  return distance;
-}
 
 Bounds boundsOf(const std::vector<Shape>& shapes) {
   if (shapes.empty()) return {};

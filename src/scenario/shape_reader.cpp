@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shape_reader.h"
 
+#include "convex_parts.h"
 #include "smore/common/result.h"
 #include "smore/scenario/mesh.h"
 
@@ -11,6 +12,7 @@ namespace {
 // metres.
 constexpr Range kSize{1e-4, 100.0};
 constexpr Range kPosition{-100.0, 100.0};
+constexpr Range kScale{-1e6, 1e6};
 
 BoxShape readBox(ParameterReader* reader) {
   BoxShape box;
@@ -31,18 +33,15 @@ SphereShape readSphere(ParameterReader* reader) {
   return sphere;
 }
 
-MeshShape readMesh(ParameterReader* reader, const std::string& directory, bool convex_only) {
+MeshShape readMesh(ParameterReader* reader, const std::string& directory, bool moves) {
   std::string file;
   Vec3 scale = Vec3::Ones();
   reader->text("file", &file);
-  if (reader->has("scale")) reader->vector("scale", &scale, kPosition);
+  if (reader->has("scale")) reader->vector("scale", &scale, kScale);
   if (file.empty()) return {};
   try {
     MeshShape mesh = loadMesh(file.front() == '/' ? file : directory + file, scale);
-    if (convex_only && !isConvex(mesh)) {
-      reader->error("file",
-                    "'" + file + "' is concave; split the object into several convex shapes");
-    }
+    if (moves && !servesAsHull(mesh)) decompose(&mesh);
     return mesh;
   } catch (const InputError& problem) {
     reader->error("file", problem.what());
@@ -61,7 +60,7 @@ Pose readPose(ParameterReader* reader) {
 }
 
 std::vector<Shape> readShapes(ParameterReader* reader, const std::string& key,
-                              const std::string& directory, bool convex_only) {
+                              const std::string& directory, bool moves) {
   std::vector<Shape> shapes;
   ParameterReader body = reader->nested(key);
   if (!reader->has(key)) return shapes;
@@ -73,7 +72,7 @@ std::vector<Shape> readShapes(ParameterReader* reader, const std::string& key,
     if (type == 0) shape.geometry = readBox(&entry);
     if (type == 1) shape.geometry = readCylinder(&entry);
     if (type == 2) shape.geometry = readSphere(&entry);
-    if (type == 3) shape.geometry = readMesh(&entry, directory, convex_only);
+    if (type == 3) shape.geometry = readMesh(&entry, directory, moves);
     shape.pose = readPose(&entry);
     entry.finishNested();
     shapes.push_back(shape);

@@ -10,10 +10,9 @@
 namespace smore {
 
 /// Reads `shapes:` under `key` of a scenario; mesh files are relative to `directory`. Problems go
-/// to the reader's list. Concave meshes are a problem where `convex_only` is set: a moving body is
-/// made of convex parts.
+/// to the reader's list. Where the body `moves`, concave meshes get convex parts.
 std::vector<Shape> readShapes(ParameterReader* reader, const std::string& key,
-                              const std::string& directory, bool convex_only);
+                              const std::string& directory, bool moves);
 
 /// Reads `position` and, where given, `rpy` of a pose.
 Pose readPose(ParameterReader* reader);

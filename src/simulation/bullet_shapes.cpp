@@ -46,9 +46,9 @@ BulletShape make(const SphereShape& sphere) {
   return {nullptr, std::make_unique<btSphereShape>(sphere.radius)};
 }
 
-BulletShape makeHull(const MeshShape& mesh) {
+BulletShape makeHull(const std::vector<Vec3>& vertices) {
   auto shape = std::make_unique<btConvexHullShape>();
-  for (const Vec3& vertex : mesh.vertices) shape->addPoint(toBullet(vertex), false);
+  for (const Vec3& vertex : vertices) shape->addPoint(toBullet(vertex), false);
   shape->recalcLocalAabb();
   shape->setMargin(kHullMargin);
   return {nullptr, std::move(shape)};
@@ -68,7 +68,7 @@ BulletShape makeSurface(const MeshShape& mesh) {
 }
 
 BulletShape make(const MeshShape& mesh) {
-  return isConvex(mesh) ? makeHull(mesh) : makeSurface(mesh);
+  return servesAsHull(mesh) ? makeHull(mesh.vertices) : makeSurface(mesh);
 }
 
 }  // namespace
@@ -97,6 +97,17 @@ BulletShape makeBulletShape(const Shape& shape) {
   return std::visit([](const auto& solid) { return make(solid); }, shape.geometry);
 }
 
+std::vector<BulletShape> makeConvexShapes(const Shape& shape) {
+  std::vector<BulletShape> shapes;
+  const auto* mesh = std::get_if<MeshShape>(&shape.geometry);
+  if (mesh == nullptr || mesh->parts.empty()) {
+    shapes.push_back(makeBulletShape(shape));
+    return shapes;
+  }
+  for (const ConvexPart& part : mesh->parts) shapes.push_back(makeHull(part.vertices));
+  return shapes;
+}
+
 BulletSolids::BulletSolids(const std::vector<Shape>& shapes) {
   for (const Shape& shape : shapes) {
     shapes_.push_back(makeBulletShape(shape));
@@ -109,8 +120,11 @@ BulletSolids::BulletSolids(const std::vector<Shape>& shapes) {
 BulletCompound::BulletCompound(const std::vector<Shape>& shapes, const Pose& T_body_parent)
     : compound_(std::make_unique<PreciseCompound>()) {
   for (const Shape& shape : shapes) {
-    parts_.push_back(makeBulletShape(shape));
-    compound_->addChildShape(toBullet(Pose(T_body_parent * shape.pose)), parts_.back().shape.get());
+    for (BulletShape& part : makeConvexShapes(shape)) {
+      parts_.push_back(std::move(part));
+      compound_->addChildShape(toBullet(Pose(T_body_parent * shape.pose)),
+                               parts_.back().shape.get());
+    }
   }
 }
 

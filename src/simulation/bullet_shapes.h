@@ -21,9 +21,12 @@ struct BulletShape {
   std::unique_ptr<btCollisionShape> shape;
 };
 
-/// The solid in Bullet, in its own frame. Boxes, cylinders, spheres and convex meshes are solids; a
-/// concave mesh becomes its surface and may only stand still.
+/// The solid in Bullet, in its own frame. Boxes, cylinders, spheres and meshes that serve as their
+/// hull are solids; another mesh becomes its surface and may only stand still.
 BulletShape makeBulletShape(const Shape& shape);
+
+/// The same as convex solids in its frame: the parts of a mesh that has such, else the solid alone.
+std::vector<BulletShape> makeConvexShapes(const Shape& shape);
 
 /// Solids that stand still.
 class BulletSolids {

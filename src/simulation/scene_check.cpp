@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/simulation/scene_check.h"
 
+#include <algorithm>
+
 #include "bullet_shapes.h"
 #include "smore/common/result.h"
+#include "smore/scenario/solid_distance.h"
 
 namespace smore {
 namespace {
@@ -28,6 +31,12 @@ class NearestContact : public btCollisionWorld::ContactResultCallback {
   bool found_ = false;
 };
 
+// A point of a solid, in its parent frame. The origin of a mesh may lie outside of it.
+Vec3 pointWithin(const Shape& shape) {
+  const auto* mesh = std::get_if<MeshShape>(&shape.geometry);
+  return mesh ? Vec3(shape.pose * mesh->vertices.front()) : Vec3(shape.pose.translation());
+}
+
 }  // namespace
 
 class SceneCheck::Impl {
@@ -37,8 +46,8 @@ class SceneCheck::Impl {
         solids_(scenario.environment),
         dispatcher_(&configuration_),
         world_(&dispatcher_, &broadphase_, &configuration_),
-        shapes_(scenario.object),
-        environment_(scenario.environment) {
+        distance_(scenario.environment) {
+    for (const Shape& shape : scenario.object) inner_points_.push_back(pointWithin(shape));
     object_.setCollisionShape(object_shape_.shape());
   }
 
@@ -55,11 +64,8 @@ class SceneCheck::Impl {
  private:
   // A concave mesh is a surface to Bullet; an object wholly within it touches nothing there.
   bool isWithinSurface(const Pose& T_world_object) const {
-    for (const Shape& shape : shapes_) {
-      const Vec3 center = (T_world_object * shape.pose).translation();
-      if (signedDistance(environment_, center) < 0.0) return true;
-    }
-    return false;
+    return std::any_of(inner_points_.begin(), inner_points_.end(),
+                       [&](const Vec3& point) { return distance_(T_world_object * point) < 0.0; });
   }
 
   BulletCompound object_shape_;
@@ -69,8 +75,8 @@ class SceneCheck::Impl {
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
   btCollisionWorld world_;
-  std::vector<Shape> shapes_;
-  std::vector<Shape> environment_;
+  std::vector<Vec3> inner_points_;  ///< one of each of the object's solids, in the object frame
+  SolidDistance distance_;          ///< to the environment
 };
 
 SceneCheck::SceneCheck(const Scenario& scenario) : impl_(std::make_unique<Impl>(scenario)) {}

@@ -27,6 +27,15 @@ expect() {
   fi
 }
 
+expect 0 convex_mesh/scene_box_rotated_blender6_obj.yaml valid
+expect 0 convex_mesh/scene_box_straight_blender6_obj.yaml valid
+expect 0 ngon/u_plate.yaml valid
+expect 0 ngon/u_plate_from_notch.yaml valid
+expect 0 ngon/u_plate_triangulated.yaml valid
+expect 0 ngon/u_object.yaml "u_plate.obj moves as 3 convex parts" "up to 0.0 mm off"
+for file in near far object; do
+  expect 2 "millimetres/mm_$file.yaml" "looks like millimetres; scale: [0.001, 0.001, 0.001]"
+done
 expect 2 duplicate_key/dup.yaml "line 14" "'goal' is given twice"
 expect 2 duplicate_key/dup_contact.yaml "'contact_force' is given twice"
 expect 2 duplicate_key/second_document.yaml "line 4" "a second document"

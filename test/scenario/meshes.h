@@ -9,8 +9,9 @@
 namespace smore {
 
 /// Wavefront OBJ text of a prism: `outline` counter-clockwise in x and y, z from 0 to `height`. The
-/// caps are fans about the first corner, which must see all others.
-inline std::string prismObj(const std::vector<Eigen::Vector2d>& outline, double height) {
+/// caps are fans about the first corner, which must see all others, or `whole` polygons.
+inline std::string prismObj(const std::vector<Eigen::Vector2d>& outline, double height,
+                            bool whole = false) {
   std::ostringstream text;
   text.precision(17);
   const size_t n = outline.size();
@@ -18,8 +19,17 @@ inline std::string prismObj(const std::vector<Eigen::Vector2d>& outline, double 
     for (const Eigen::Vector2d& p : outline)
       text << "v " << p.x() << " " << p.y() << " " << z << "\n";
   }
-  for (size_t i = 2; i < n; ++i) text << "f 1 " << i + 1 << " " << i << "\n";
-  for (size_t i = 2; i < n; ++i) text << "f " << n + 1 << " " << n + i << " " << n + i + 1 << "\n";
+  if (whole) {
+    text << "f";
+    for (size_t i = n; i > 0; --i) text << " " << i;
+    text << "\nf";
+    for (size_t i = 1; i <= n; ++i) text << " " << n + i;
+    text << "\n";
+  }
+  for (size_t i = 2; i < n && !whole; ++i) {
+    text << "f 1 " << i + 1 << " " << i << "\n";
+    text << "f " << n + 1 << " " << n + i << " " << n + i + 1 << "\n";
+  }
   for (size_t i = 0; i < n; ++i) {
     const size_t j = (i + 1) % n;
     text << "f " << i + 1 << " " << j + 1 << " " << n + j + 1 << " " << n + i + 1 << "\n";

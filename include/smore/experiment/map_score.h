@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "smore/mapping/voxel_grid.h"
-#include "smore/scenario/shape.h"
+#include "smore/scenario/scenario.h"
 
 namespace smore {
 
@@ -15,14 +15,20 @@ struct MapScore {
   /// Share of the occupied voxels whose centre lies within one voxel size of the true solid;
   /// nothing where none is occupied.
   std::optional<double> precision;
-  /// Share of the voxels with their centre in the true solid that are occupied; nothing where there
-  /// is no such voxel.
+  /// Share of the voxels with their centre in the true solid and in the scored region that are
+  /// occupied; nothing where there is no such voxel.
   std::optional<double> recall;
   /// Distance of each occupied voxel's centre to the true surface [m], in the grid's order.
   std::vector<double> distances;
 };
 
-/// Scores `grid` against the solids, both in one frame.
-MapScore scoreMap(const VoxelGrid& grid, const std::vector<Shape>& truth);
+/// Scores `grid` against the solids; recall is that of the `region`. All in one frame.
+MapScore scoreMap(const VoxelGrid& grid, const std::vector<Shape>& truth, const Bounds& region);
+
+/// The score of the object's map, in the object frame.
+MapScore scoreObjectMap(const VoxelGrid& grid, const Scenario& scene);
+
+/// The score of the world's map where the object can touch it (regionOfContacts).
+MapScore scoreWorldMap(const VoxelGrid& grid, const Scenario& scene);
 
 }  // namespace smore

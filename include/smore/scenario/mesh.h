@@ -8,20 +8,24 @@
 
 namespace smore {
 
-/// Reads an STL (ASCII or binary) or Wavefront OBJ file, each vertex multiplied by `scale`. Equal
-/// vertices are merged and triangles are turned so that they are counter-clockwise from outside.
-/// InputError with file and remedy: unreadable, another format, values that are not finite, a
-/// surface that is not closed or not consistently turned, no volume.
+/// Reads an STL, OBJ, PLY or DAE file, each vertex multiplied by `scale`. Equal vertices are joined
+/// and triangles are turned so that they are counter-clockwise from outside. InputError with file
+/// and remedy: unreadable, another format, values that are not finite, more than 100 m large or
+/// from its own origin, a surface that is not closed or not consistently turned, no volume.
 MeshShape loadMesh(const std::string& file, const Vec3& scale);
 
-/// Whether no vertex lies in front of the plane of a triangle (to a millionth of the mesh's size).
+/// What a convex mesh may lie below its hull, in diagonals of its bounding box: what files round
+/// (a micrometre where they give six decimals of a metre) for solids from a centimetre.
+constexpr double kConvexTolerance = 1e-4;
+
+/// Whether the mesh is its convex hull, to the tolerance.
 bool isConvex(const MeshShape& mesh);
+
+/// Whether bodies may collide with the hull of the mesh instead: it is convex and has 2000
+/// triangles at most. The time that a hull takes grows with its corners.
+bool servesAsHull(const MeshShape& mesh);
 
 /// Enclosed volume by the divergence theorem [m^3]; negative for triangles turned inside out.
 double signedVolume(const MeshShape& mesh);
-
-/// Signed distance of a point [m], in the mesh's frame: the distance to the nearest triangle,
-/// negative where the winding number (sum of the triangles' solid angles over 4 pi) says inside.
-double signedDistance(const MeshShape& mesh, const Vec3& point);
 
 }  // namespace smore

@@ -69,6 +69,13 @@ struct Scenario {
   }
 };
 
+/// Distance of the farthest point of the object from its origin, at most [m].
+double reachOf(const std::vector<Shape>& object);
+
+/// Where the object may touch anything, in the world [m]: the workspace, wider by the object's
+/// reach.
+Bounds regionOfContacts(const Scenario& scenario);
+
 /// Whether the robot turns what its sensor carries against gravity, so that its weight must be
 /// known: an arm's motions in space. What moves in the plane is tared, and the simulated Cartesian
 /// robot carries nothing.

@@ -23,12 +23,22 @@ struct SphereShape {
   double radius = 1.0;  ///< [m], positive
 };
 
+/// A convex solid by the surface of its hull [m].
+struct ConvexPart {
+  std::vector<Vec3> vertices;
+  std::vector<Eigen::Vector3i> triangles;  ///< indices into vertices
+};
+
 /// A closed triangle mesh, already scaled [m].
 struct MeshShape {
   std::string file;
   std::vector<Vec3> vertices;
   std::vector<Eigen::Vector3i>
-      triangles;  ///< indices into vertices, counter-clockwise from outside
+      triangles;              ///< indices into vertices, counter-clockwise from outside
+  Vec3 scale = Vec3::Ones();  ///< what the file's coordinates were multiplied by
+  /// Of a concave mesh that moves: solids whose union stands for it where bodies collide.
+  std::vector<ConvexPart> parts;
+  double parts_error = 0.0;  ///< how far the surfaces of mesh and union are apart, at most [m]
 };
 
 /// One solid of the object or the environment.
@@ -37,9 +47,7 @@ struct Shape {
   Pose pose = Pose::Identity();  ///< of the solid in its parent frame (object or world)
 };
 
-/// Signed distance of a point [m], in the shapes' parent frame, to the union of the solids:
-/// negative inside, 0 on the surface. Inside of overlapping solids the magnitude is a lower bound
-/// of the depth. Infinity for an empty list.
+/// SolidDistance for a single point.
 double signedDistance(const std::vector<Shape>& shapes, const Vec3& point);
 
 /// Smallest axis-aligned box around the shapes, in their parent frame.

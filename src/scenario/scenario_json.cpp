@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/scenario/scenario_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "smore/scenario/tessellation.h"
+
+namespace smore {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vectorJson(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
+// Roll, pitch and yaw of makePose.
+Vec3 rollPitchYaw(const Eigen::Matrix3d& r) {
+  return {std::atan2(r(2, 1), r(2, 2)), std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0))),
+          std::atan2(r(1, 0), r(0, 0))};
+}
+
+Json poseJson(const Pose& pose) {
+  return {{"position", vectorJson(pose.translation())},
+          {"rpy", vectorJson(rollPitchYaw(pose.linear()))}};
+}
+
+struct GeometryToJson {
+  Json operator()(const BoxShape& box) const {
+    return {{"type", "box"}, {"size", vectorJson(box.size)}};
+  }
+  Json operator()(const CylinderShape& cylinder) const {
+    return {{"type", "cylinder"}, {"radius", cylinder.radius}, {"length", cylinder.length}};
+  }
+  Json operator()(const SphereShape& sphere) const {
+    return {{"type", "sphere"}, {"radius", sphere.radius}};
+  }
+  Json operator()(const MeshShape& mesh) const {
+    return {{"type", "mesh"},
+            {"file", mesh.file},
+            {"scale", vectorJson(mesh.scale)},
+            {"convex_parts", mesh.parts.size()},
+            {"parts_error", mesh.parts_error}};
+  }
+};
+
+Json trianglesJson(const MeshShape& surface) {
+  Json list = Json::array();
+  for (const Eigen::Vector3i& triangle : surface.triangles) {
+    Json corners = Json::array();
+    for (const int index : triangle) {
+      corners.push_back(vectorJson(surface.vertices[static_cast<std::size_t>(index)]));
+    }
+    list.push_back(std::move(corners));
+  }
+  return list;
+}
+
+Json bodyJson(const std::vector<Shape>& shapes) {
+  Json list = Json::array();
+  for (const Shape& shape : shapes) {
+    Json json = std::visit(GeometryToJson(), shape.geometry);
+    json.update(poseJson(shape.pose));
+    json["triangles"] = trianglesJson(tessellate(shape));
+    list.push_back(std::move(json));
+  }
+  return {{"shapes", std::move(list)}};
+}
+
+Json noiseJson(const WrenchNoise& noise) {
+  return {{"force_stddev", noise.force_stddev},
+          {"torque_stddev", noise.torque_stddev},
+          {"force_bias", vectorJson(noise.force_bias)},
+          {"torque_bias", vectorJson(noise.torque_bias)},
+          {"force_drift", noise.force_drift}};
+}
+
+}  // namespace
+
+std::string toJson(const Scenario& s) {
+  const Json json{
+      {"name", s.name},
+      {"task", s.task == Task::kRetrieve ? "retrieve" : "reconstruct"},
+      {"voxel_size", s.voxel_size},
+      {"motion", s.motion == Motion::kPlanar ? "planar" : "spatial"},
+      {"robot", s.robot == RobotKind::kCartesian ? "cartesian" : "ur5e"},
+      {"object", bodyJson(s.object)},
+      {"environment", bodyJson(s.environment)},
+      {"start", poseJson(s.start)},
+      {"goal", poseJson(s.goal)},
+      {"workspace", {{"min", vectorJson(s.workspace.min)}, {"max", vectorJson(s.workspace.max)}}},
+      {"goal_tolerance",
+       {{"position", s.goal_position_tolerance}, {"angle", s.goal_angle_tolerance}}},
+      {"friction", s.friction},
+      {"speed", {{"linear", s.linear_speed}, {"angular", s.angular_speed}}},
+      {"contact_force", s.contact_force},
+      {"free_force", s.free_force},
+      {"wrench_noise", noiseJson(s.wrench_noise)},
+      {"line_noise", {{"direction", s.line_noise.direction}, {"offset", s.line_noise.offset}}},
+      {"on_contact", s.on_contact == OnContact::kReset ? "reset" : "retreat"},
+      {"reconstruct", {{"touches", s.reconstruct_touches}}},
+      {"perturb", {{"position", s.perturb.position}, {"angle", s.perturb.angle}}},
+      {"object_mass", s.object_mass},
+      {"robot_base", poseJson(s.T_world_base)},
+      {"gripper_object", poseJson(s.T_gripper_object)}};
+  return json.dump();
+}
+
+}  // namespace smore

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ctime>
+
+#include "meshes.h"
+#include "smore/common/result.h"
+#include "smore/scenario/mesh.h"
+#include "smore/scenario/scenario.h"
+#include "smore/scenario/tessellation.h"
+#include "temporary_directory.h"
+
+namespace smore {
+namespace {
+
+/// Loads the mesh as the object of a scenario.
+class ConvexParts : public testing::Test {
+ protected:
+  MeshShape object(const std::string& obj) {
+    directory_.write("object.obj", obj);
+    const std::string file = directory_.write("scene.yaml", R"(
+{name: x, task: retrieve, voxel_size: 0.03, motion: planar, robot: cartesian,
+ object: {shapes: [{type: mesh, file: object.obj, position: [0, 0, 0]}]},
+ environment: {shapes: [{type: sphere, radius: 0.1, position: [9, 0, 0]}]},
+ start: {position: [0, 0, 0]}, goal: {position: [1, 0, 0]},
+ workspace: {min: [-1, -1, 0], max: [1, 1, 0]}})");
+    return std::get<MeshShape>(loadScenario(file).object[0].geometry);
+  }
+
+  TemporaryDirectory directory_;
+};
+
+std::vector<Shape> solidsOf(const MeshShape& mesh) {
+  std::vector<Shape> solids;
+  for (const ConvexPart& part : mesh.parts) {
+    MeshShape solid;
+    solid.vertices = part.vertices;
+    solid.triangles = part.triangles;
+    solids.push_back({solid, Pose::Identity()});
+  }
+  return solids;
+}
+
+TEST_F(ConvexParts, ofBarsAreTheBars) {
+  // The S-shape of the reference scene as one polygon: five bars.
+  const MeshShape s = object(prismObj({{-0.15, 0.03},
+                                       {-0.15, 0.27},
+                                       {0.21, 0.27},
+                                       {0.21, 0.33},
+                                       {-0.21, 0.33},
+                                       {-0.21, -0.03},
+                                       {0.15, -0.03},
+                                       {0.15, -0.27},
+                                       {-0.21, -0.27},
+                                       {-0.21, -0.33},
+                                       {0.21, -0.33},
+                                       {0.21, 0.03}},
+                                      0.06, true));
+  EXPECT_EQ(s.parts.size(), 5u);
+  EXPECT_LT(s.parts_error, 1e-6);
+  double volume = 0.0;
+  for (const Shape& solid : solidsOf(s)) {
+    EXPECT_TRUE(isConvex(std::get<MeshShape>(solid.geometry)));
+    volume += std::abs(signedVolume(std::get<MeshShape>(solid.geometry)));
+  }
+  EXPECT_GE(volume, signedVolume(s) - 1e-9) << "the parts cover the solid";
+}
+
+TEST_F(ConvexParts, aConvexMeshHasNone) { EXPECT_TRUE(object(cubeObj()).parts.empty()); }
+
+// A hollow ball with an opening: 9,000 triangles, made coarser before they are cut.
+TEST_F(ConvexParts, ofAFineBowlAreNearItAndQuick) {
+  MeshShape bowl = tessellate({SphereShape{0.1}, Pose::Identity()});
+  for (Vec3& vertex : bowl.vertices) {
+    if (vertex.z() > 1e-9) vertex.z() *= -0.8;
+  }
+  std::ostringstream text;
+  for (const Vec3& v : bowl.vertices) text << "v " << v.transpose() << "\n";
+  for (const Eigen::Vector3i& t : bowl.triangles) {
+    text << "f " << (t + Eigen::Vector3i::Ones()).transpose() << "\n";
+  }
+  const std::clock_t begin = std::clock();
+  const MeshShape loaded = object(text.str());
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 10.0);
+  EXPECT_GT(loaded.parts.size(), 5u);
+  EXPECT_GT(loaded.parts_error, 0.0);
+  EXPECT_LT(loaded.parts_error, 0.02) << "of a bowl 20 cm wide";
+  const std::vector<Shape> solids = solidsOf(loaded);
+  EXPECT_GT(signedDistance(solids, Vec3(0, 0, -0.04)), 0.0) << "the hollow is free";
+  for (const Shape& solid : solids) {
+    for (const Vec3& vertex : std::get<MeshShape>(solid.geometry).vertices) {
+      EXPECT_LE(signedDistance({{loaded, Pose::Identity()}}, vertex), loaded.parts_error + 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace smore
