@@ -4,14 +4,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "smore/common/json_fields.h"
 #include "smore/scenario/tessellation.h"
 
 namespace smore {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json vectorJson(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
 // Roll, pitch and yaw of makePose.
 Vec3 rollPitchYaw(const Eigen::Matrix3d& r) {
@@ -20,13 +17,13 @@ Vec3 rollPitchYaw(const Eigen::Matrix3d& r) {
 }
 
 Json poseJson(const Pose& pose) {
-  return {{"position", vectorJson(pose.translation())},
-          {"rpy", vectorJson(rollPitchYaw(pose.linear()))}};
+  return {{"position", toJson(Vec3(pose.translation()))},
+          {"rpy", toJson(rollPitchYaw(pose.linear()))}};
 }
 
 struct GeometryToJson {
   Json operator()(const BoxShape& box) const {
-    return {{"type", "box"}, {"size", vectorJson(box.size)}};
+    return {{"type", "box"}, {"size", toJson(box.size)}};
   }
   Json operator()(const CylinderShape& cylinder) const {
     return {{"type", "cylinder"}, {"radius", cylinder.radius}, {"length", cylinder.length}};
@@ -37,7 +34,7 @@ struct GeometryToJson {
   Json operator()(const MeshShape& mesh) const {
     return {{"type", "mesh"},
             {"file", mesh.file},
-            {"scale", vectorJson(mesh.scale)},
+            {"scale", toJson(mesh.scale)},
             {"convex_parts", mesh.parts.size()},
             {"parts_error", mesh.parts_error}};
   }
@@ -48,7 +45,7 @@ Json trianglesJson(const MeshShape& surface) {
   for (const Eigen::Vector3i& triangle : surface.triangles) {
     Json corners = Json::array();
     for (const int index : triangle) {
-      corners.push_back(vectorJson(surface.vertices[static_cast<std::size_t>(index)]));
+      corners.push_back(toJson(surface.vertices[static_cast<std::size_t>(index)]));
     }
     list.push_back(std::move(corners));
   }
@@ -69,8 +66,8 @@ Json bodyJson(const std::vector<Shape>& shapes) {
 Json noiseJson(const WrenchNoise& noise) {
   return {{"force_stddev", noise.force_stddev},
           {"torque_stddev", noise.torque_stddev},
-          {"force_bias", vectorJson(noise.force_bias)},
-          {"torque_bias", vectorJson(noise.torque_bias)},
+          {"force_bias", toJson(noise.force_bias)},
+          {"torque_bias", toJson(noise.torque_bias)},
           {"force_drift", noise.force_drift}};
 }
 
@@ -87,7 +84,7 @@ std::string toJson(const Scenario& s) {
       {"environment", bodyJson(s.environment)},
       {"start", poseJson(s.start)},
       {"goal", poseJson(s.goal)},
-      {"workspace", {{"min", vectorJson(s.workspace.min)}, {"max", vectorJson(s.workspace.max)}}},
+      {"workspace", {{"min", toJson(s.workspace.min)}, {"max", toJson(s.workspace.max)}}},
       {"goal_tolerance",
        {{"position", s.goal_position_tolerance}, {"angle", s.goal_angle_tolerance}}},
       {"friction", s.friction},

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""roslaunch resolves every launch file, and every node of this package that they name is a program.
+"""roslaunch resolves every launch file, every node of this package that they name is a program, and a
+scenario's name stays the text that was typed.
 
     check_launch.py PROGRAM_FOLDER      (in the environment of the build)
 """
@@ -11,16 +12,21 @@ import xml.etree.ElementTree
 
 from project import files, report, say
 
-SCENARIO = "scenario:=s_shape_two_pegs"
+SCENARIO = "1.10"  # roslaunch makes a number of what looks like one, but for parameters of type str
 
 
 def unresolved(path):
     root = xml.etree.ElementTree.parse(path).getroot()
     declared = {argument.get("name") for argument in root.findall("arg")}
-    arguments = [SCENARIO] if "scenario" in declared else []
-    command = ["roslaunch", "--nodes", str(path), *arguments]
+    arguments = [f"scenario:={SCENARIO}"] if "scenario" in declared else []
+    command = ["roslaunch", "--dump-params", str(path), *arguments]
     result = subprocess.run(command, capture_output=True, text=True)
-    return [say(path, 1, result.stderr.strip())] if result.returncode else []
+    if result.returncode:
+        yield say(path, 1, result.stderr.strip())
+    for line in result.stdout.splitlines():
+        name, _, value = line.partition(": ")
+        if name.endswith("/scenario") and value != f"'{SCENARIO}'":
+            yield say(path, 1, f"the parameter {name} is {value}, not the text '{SCENARIO}'")
 
 
 def missing_programs(path, programs):

@@ -116,6 +116,17 @@ TEST(StartAndGoal, withinAHollowConcaveMeshTouch) {
   EXPECT_TRUE(check.touches(makePose(Vec3(-0.04, 0.5, 0.5))));
 }
 
+// A U with a peg of 3 cm radius in its notch, 20 cm wide: the hull would touch it everywhere.
+TEST(SceneCheck, aConcaveObjectTouchesWithItsParts) {
+  SceneCheck check(loadScenario(SMORE_SOURCE_DIR "/test/data/cases/ngon/u_object.yaml"));
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_FALSE(check.touches(makePose(Vec3(sign * 0.069, 0, 0))));
+    EXPECT_TRUE(check.touches(makePose(Vec3(sign * 0.071, 0, 0))));
+  }
+  EXPECT_FALSE(check.touches(makePose(Vec3(0, 0.119, 0))));
+  EXPECT_TRUE(check.touches(makePose(Vec3(0, 0.121, 0))));
+}
+
 // The collision geometry against distances of points strewn over the object.
 TEST(SceneCheck, agreesWithSampledPointsOfTheObject) {
   RandomContacts trials(11);
