@@ -125,7 +125,13 @@ TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& param
 
   ExperimentProgress news;
   news.seed = seed;
+  double updating_s = 0.0;  // of the maps, before each plan
   const auto tell = [&](const RetrievalProgress& progress) {
+    if (progress.phase == Phase::kPlanning) {
+      const auto since = SteadyClock::now();
+      method.maps->update();
+      updating_s += secondsSince(since);
+    }
     news.collisions = progress.collisions;
     news.plans = progress.plans;
     if (progress.phase != Phase::kFinished) on_progress(news);
@@ -134,6 +140,7 @@ TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& param
       runTask(scene, parameters, &robot, method, interrupted, tell, recording.get());
   TrialResult result = resultOf(outcome, scene, method, robot);
   result.seed = seed;
+  result.mapping_s += updating_s;
   result.simulated_s = simulated->time();
   if (parameters.touches_after_success > 0 && result.success && !interrupted) {
     result.after_touches = touchFurther(scene, parameters.touches_after_success, &robot, method,

@@ -1,24 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/mapping/free_space_evidence.h"
 
-#include <cmath>
-
 #include "smore/common/parallel_for.h"
-#include "smore/mapping/counter_random.h"
 
 namespace smore {
 namespace {
-
-std::uint64_t cellOf(const Pose& pose, const FreeSpaceParameters& parameters) {
-  const Eigen::AngleAxisd turn(pose.linear());
-  const Vec3 rotation = turn.angle() * turn.axis();
-  std::uint64_t hash = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    hash = mixBits(hash, std::llround(pose.translation()[axis] / parameters.position_cell));
-    hash = mixBits(hash, std::llround(rotation[axis] / parameters.angle_cell));
-  }
-  return hash;
-}
 
 void setBit(CandidateBits* bits, int i) { (*bits)[i / 64] |= std::uint64_t{1} << (i % 64); }
 
@@ -26,7 +12,7 @@ void setBit(CandidateBits* bits, int i) { (*bits)[i / 64] |= std::uint64_t{1} <<
 
 FreeSpaceEvidence::FreeSpaceEvidence(const FreeSpaceParameters& parameters,
                                      double conflict_distance)
-    : parameters_(parameters),
+    : cells_(parameters),
       object_index_(static_cast<float>(conflict_distance)),
       world_index_(static_cast<float>(conflict_distance)) {}
 
@@ -41,13 +27,9 @@ void FreeSpaceEvidence::mark(int object_place, int world_place) {
   setBit(&table->by_world[j], i);
 }
 
-bool FreeSpaceEvidence::knows(const Pose& T_map_object) const {
-  return seen_.count(cellOf(T_map_object, parameters_)) != 0;
-}
-
 bool FreeSpaceEvidence::addPose(const Pose& T_map_object) {
-  if (!seen_.insert(cellOf(T_map_object, parameters_)).second) return false;
-  poses_.push_back(T_map_object.cast<float>());
+  if (!cells_.add(T_map_object)) return false;
+  poses_.push_back(cells_.centerOf(T_map_object).cast<float>());
   const Eigen::Isometry3f& T = poses_.back();
   for (std::size_t i = 0; i < object_places_.size(); ++i) {
     world_index_.forNear(T * object_places_[i], [&](int j) { mark(static_cast<int>(i), j); });
@@ -55,21 +37,31 @@ bool FreeSpaceEvidence::addPose(const Pose& T_map_object) {
   return true;
 }
 
-void FreeSpaceEvidence::addContact(const ContactHypotheses& contact) {
-  const int first = static_cast<int>(object_places_.size());
-  for (int i = 0; i < contact.count; ++i) {
-    object_places_.push_back(contact.object.at(i));
-    world_places_.push_back(contact.world.at(i));
-    contact_of_.push_back(static_cast<int>(first_place_.size()));
+void FreeSpaceEvidence::insertContact(int contact, const ContactHypotheses& places) {
+  const bool is_last = contact == static_cast<int>(first_place_.size());
+  const int first = is_last ? static_cast<int>(contact_of_.size()) : first_place_[contact];
+  std::vector<Eigen::Vector3f> on_object;
+  std::vector<Eigen::Vector3f> in_world;
+  for (int i = 0; i < places.count; ++i) {
+    on_object.push_back(places.object.at(i));
+    in_world.push_back(places.world.at(i));
   }
-  first_place_.push_back(first);
-  for (auto& row : tables_) row.emplace_back();
-  tables_.emplace_back(tables_.size() + 1);
+  object_places_.insert(object_places_.begin() + first, on_object.begin(), on_object.end());
+  world_places_.insert(world_places_.begin() + first, in_world.begin(), in_world.end());
+  for (std::size_t i = first; i < contact_of_.size(); ++i) ++contact_of_[i];
+  contact_of_.insert(contact_of_.begin() + first, places.count, contact);
+  for (std::size_t k = contact; k < first_place_.size(); ++k) first_place_[k] += places.count;
+  first_place_.insert(first_place_.begin() + contact, first);
+  for (auto& row : tables_) row.emplace(row.begin() + contact);
+  tables_.emplace(tables_.begin() + contact, tables_.size() + 1);
   object_index_.build(object_places_);
   world_index_.build(world_places_);
-  // Its places on the object with all in the world; its places in the world with those on the
-  // object of all contacts before. The two write into different tables.
-  const int end = first + contact.count;
+  markContact(first, first + places.count);
+}
+
+// The places of one contact on the object with all in the world; its places in the world with those
+// on the object of all others. The two write into different tables.
+void FreeSpaceEvidence::markContact(int first, int end) {
   const auto mark_on_object = [&](const Eigen::Isometry3f& T) {
     for (int i = first; i < end; ++i) {
       world_index_.forNear(T * object_places_[i], [&](int j) { mark(i, j); });
@@ -79,7 +71,7 @@ void FreeSpaceEvidence::addContact(const ContactHypotheses& contact) {
     const Eigen::Isometry3f T_object_map = T.inverse();
     for (int j = first; j < end; ++j) {
       object_index_.forNear(T_object_map * world_places_[j], [&](int i) {
-        if (i < first) mark(i, j);
+        if (i < first || i >= end) mark(i, j);
       });
     }
   };
@@ -105,7 +97,7 @@ void FreeSpaceEvidence::removeContact(int contact) {
 }
 
 void FreeSpaceEvidence::clear() {
-  seen_.clear();
+  cells_.clear();
   poses_.clear();
   object_places_.clear();
   world_places_.clear();

@@ -2,9 +2,11 @@
 #include "smore/mapping/joint_belief.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
+#include "smore/common/elapsed_time.h"
 #include "smore/mapping/contact_merging.h"
+#include "smore/mapping/marginal_map.h"
 #include "smore/mapping/surface_sizes.h"
 
 namespace smore {
@@ -14,82 +16,42 @@ namespace {
 constexpr double kTrackSpacing = 0.05;
 constexpr double kTrackAngle = 0.15;
 
-// Probabilities stay off 0 and 1 by less than what one of the 64 worlds counts.
-constexpr double kLeastProbability = 0.005;
-
 // Share of the contacts that is merged when there are too many: not each new one costs a merge.
 constexpr int kMergedShare = 10;  // one in so many
 
-// The masks of voxels, beside the grid that will hold their shares.
-class MaskedVoxels {
- public:
-  explicit MaskedVoxels(VoxelGrid* grid) : grid_(grid) { grid_->clear(); }
-
-  void add(const VoxelKey& key, HypothesisMask mask) {
-    const auto known = grid_->find(key);
-    const std::size_t position = known ? *known : grid_->set(key, 0.0F);
-    if (!known) masks_.push_back(0);
-    masks_[position] |= mask;
-  }
-
-  // The voxel that holds the ball's centre, and each whose own centre the ball holds.
-  void addBall(const Vec3& center, double radius, HypothesisMask mask) {
-    const double size = grid_->voxelSize();
-    const VoxelKey key = voxelAt(center, size);
-    add(key, mask);
-    const VoxelKey low = voxelAt(center - Vec3::Constant(radius), size);
-    const VoxelKey high = voxelAt(center + Vec3::Constant(radius), size);
-    VoxelKey near;
-    for (near.z = low.z; near.z <= high.z; ++near.z) {
-      for (near.y = low.y; near.y <= high.y; ++near.y) {
-        for (near.x = low.x; near.x <= high.x; ++near.x) {
-          if ((voxelCenter(near, size) - center).norm() <= radius) add(near, mask);
-        }
-      }
-    }
-  }
-
-  void store(const SampledWorlds& worlds) {
-    for (std::size_t i = 0; i < masks_.size(); ++i) {
-      const double share =
-          std::clamp(worlds.shareOf(masks_[i]), kLeastProbability, 1.0 - kLeastProbability);
-      grid_->setAt(i, static_cast<float>(share));
-    }
-  }
-
- private:
-  VoxelGrid* grid_;
-  std::vector<HypothesisMask> masks_;
-};
-
-// One side of the worlds.
-void voxelize(const SampledWorlds& worlds, const std::vector<MaskedPoint>& points,
-              const Pose& T_grid_map, double radius, VoxelGrid* grid) {
-  MaskedVoxels voxels(grid);
-  for (const MaskedPoint& ball : points) {
-    voxels.addBall(T_grid_map * ball.point.cast<double>(), radius, ball.mask);
-  }
-  voxels.store(worlds);
+// By time, and by their numbers where they were made at one time.
+bool isBefore(const StampedPose& a, const StampedPose& b) {
+  if (a.time != b.time) return a.time < b.time;
+  const double* of_a = a.T_map_object.data();
+  const double* of_b = b.T_map_object.data();
+  return std::lexicographical_compare(of_a, of_a + 16, of_b, of_b + 16);
 }
 
 }  // namespace
 
 JointBelief::JointBelief(const JointBeliefParameters& parameters)
     : parameters_(parameters),
-      evidence_(parameters.free_space, parameters.feature.conflictDistance()),
-      world_(parameters.voxel_size),
-      object_(parameters.voxel_size) {
-  if (parameters.T_world_plane) T_map_world_ = parameters.T_world_plane->inverse();
-}
-
-Pose JointBelief::toMap(const Pose& T_world_object) const {
-  const Pose T_map_object = T_map_world_ * T_world_object;
-  return parameters_.T_world_plane ? projectedToPlane(T_map_object) : T_map_object;
-}
+      frame_(parameters.T_world_plane),
+      evidence_(parameters.free_space, parameters.feature.conflictDistance()) {}
 
 void JointBelief::observe(const ContactObservation& observation) {
+  if (!mapsReach(observation.T_world_object)) return;
   if (observation.state == ContactState::kFree) addFree(observation.T_world_object);
   if (observation.state == ContactState::kContact) noteContact(observation);
+}
+
+// All matter that a touch at the pose may speak of has a voxel.
+bool JointBelief::mapsReach(const Pose& T_world_object) const {
+  constexpr double kVoxels = std::numeric_limits<std::int16_t>::max();
+  const double beyond = parameters_.feature.reach + parameters_.extent.world_longest +
+                        3.0 * parameters_.feature.radius;
+  return isFinite(T_world_object) && T_world_object.translation().cwiseAbs().maxCoeff() + beyond <
+                                         kVoxels * parameters_.voxel_size;
+}
+
+void JointBelief::change() {
+  ++revision_;
+  worlds_ = nullptr;
 }
 
 void JointBelief::noteContact(const ContactObservation& observation) {
@@ -97,17 +59,18 @@ void JointBelief::noteContact(const ContactObservation& observation) {
     poses_without_line_[observation.contact_id] = std::nullopt;
     return;
   }
-  const Pose T_map_object = toMap(observation.T_world_object);
-  if (!poses_without_line_.emplace(observation.contact_id, T_map_object).second) return;
-  stale_ = true;
-  ++revision_;
+  const StampedPose touched{observation.time, toMap(observation.T_world_object)};
+  const auto [known, is_new] = poses_without_line_.emplace(observation.contact_id, touched);
+  if (!is_new && (!known->second || !isBefore(touched, *known->second))) return;
+  known->second = touched;
+  change();
 }
 
 void JointBelief::addFree(const Pose& T_world_object) {
   extendTrack(T_world_object);
-  if (!evidence_.addPose(toMap(T_world_object)) || contacts_.empty()) return;
-  stale_ = true;
-  ++revision_;
+  if (!evidence_.addPose(toMap(T_world_object))) return;
+  worlds_ = nullptr;
+  if (!contacts_.empty()) ++revision_;  // without contacts the maps stay empty
 }
 
 void JointBelief::extendTrack(const Pose& T_world_object) {
@@ -127,43 +90,31 @@ void JointBelief::extendTrack(const Pose& T_world_object) {
 }
 
 bool JointBelief::addContact(const Pose& T_world_object, const LineOfAction& line) {
-  const auto places = contactHypotheses(T_map_world_ * T_world_object, line, parameters_.feature,
-                                        parameters_.T_world_plane.has_value());
+  const auto places = contactHypotheses(frame_.T_map_world() * T_world_object, line,
+                                        parameters_.feature, frame_.planar());
   if (!places) return false;
   if (!known_contacts_.insert(places->id).second) return true;
-  contacts_.push_back(*places);
-  evidence_.addContact(*places);
-  stale_ = true;
-  ++revision_;
+  // By their ids: sums over contacts then round alike, in whatever order they came.
+  const auto after = std::upper_bound(
+      contacts_.begin(), contacts_.end(), *places,
+      [](const ContactHypotheses& a, const ContactHypotheses& b) { return a.id < b.id; });
+  evidence_.insertContact(static_cast<int>(after - contacts_.begin()), *places);
+  contacts_.insert(after, *places);
+  change();
   if (static_cast<int>(contacts_.size()) > parameters_.most_contacts) mergeContacts();
   return true;
 }
 
 void JointBelief::mergeContacts() {
-  refresh();
-  std::vector<int> merged = coveredContacts(contacts_, explanations_, parameters_.distribution,
-                                            parameters_.most_contacts / kMergedShare);
+  std::vector<int> merged =
+      coveredContacts(contacts_, worlds()->explanations, parameters_.distribution,
+                      parameters_.most_contacts / kMergedShare);
   std::sort(merged.rbegin(), merged.rend());  // the last first, so that indices stay right
   for (const int contact : merged) {
     contacts_.erase(contacts_.begin() + contact);
     evidence_.removeContact(contact);
   }
-  stale_ = true;
-}
-
-const VoxelGrid& JointBelief::world() const {
-  refresh();
-  return world_;
-}
-
-const VoxelGrid& JointBelief::object() const {
-  refresh();
-  return object_;
-}
-
-const SampledWorlds& JointBelief::worlds() const {
-  refresh();
-  return worlds_;
+  worlds_ = nullptr;
 }
 
 std::vector<std::optional<Vec3>> JointBelief::placesOf(const Pose& T_world_object,
@@ -199,36 +150,54 @@ void JointBelief::reset() {
   known_contacts_.clear();
   poses_without_line_.clear();
   tracks_.clear();
-  stale_ = true;
-  ++revision_;
+  ++resets_;
+  change();
 }
 
-void JointBelief::refresh() const {
-  if (!stale_) return;
-  stale_ = false;
-  const JointDistribution distribution(contacts_, evidence_, parameters_.distribution);
-  explanations_ = distribution.sample(kHypotheses, parameters_.seed);
-  worlds_ =
-      SampledWorlds({contacts_, evidence_, explanations_}, parameters_.feature, parameters_.extent,
-                    parameters_.T_world_plane.has_value(), parameters_.seed);
+std::shared_ptr<const Worlds> JointBelief::worlds() const {
+  const std::lock_guard<std::mutex> lock(*inferring_);
+  if (!worlds_) worlds_ = std::make_shared<const Worlds>(infer());
+  return worlds_;
+}
+
+Worlds JointBelief::infer() const {
+  const auto begin = SteadyClock::now();
+  const FeatureParameters& feature = parameters_.feature;
+  std::vector<Explanation> explanations =
+      JointDistribution(contacts_, evidence_, parameters_.distribution)
+          .sample(kHypotheses, parameters_.seed);
+  SampledWorlds sampled = sampledWorlds(explanations);
+  VoxelGrid world = marginalMap(sampled, sampled.world(), frame_.T_map_world().inverse(),
+                                feature.radius, parameters_.voxel_size);
+  VoxelGrid object = marginalMap(sampled, sampled.object(), Pose::Identity(), feature.radius,
+                                 parameters_.voxel_size);
+  return {frame_,
+          feature,
+          evidence_.cells(),
+          known_contacts_.size(),
+          resets_,
+          std::move(explanations),
+          std::move(sampled),
+          std::move(world),
+          std::move(object),
+          secondsSince(begin)};
+}
+
+SampledWorlds JointBelief::sampledWorlds(const std::vector<Explanation>& explanations) const {
+  const ExtentParameters& extent = parameters_.extent;
+  SampledWorlds sampled({contacts_, evidence_, explanations}, parameters_.feature, extent,
+                        frame_.planar(), parameters_.seed);
   // In a plane it tells risks apart less well (docs/planning.md).
-  if (!parameters_.T_world_plane) {
-    const ExtentParameters& extent = parameters_.extent;
-    worlds_.weigh(weightsBySize(contacts_, explanations_,
+  if (!frame_.planar()) {
+    sampled.weigh(weightsBySize(contacts_, explanations,
                                 surfaceSizes(extent.shortest, extent.world_longest),
                                 parameters_.distribution.world));
   }
-  for (const auto& [contact_id, T_map_object] : poses_without_line_) {
-    if (!T_map_object) continue;
-    worlds_.setTouching(T_map_object->cast<float>(), parameters_.feature.reach);
+  for (const auto& [contact_id, touched] : poses_without_line_) {
+    if (!touched) continue;
+    sampled.setTouching(touched->T_map_object.cast<float>(), parameters_.feature.reach);
   }
-  publish();
-}
-
-void JointBelief::publish() const {
-  const double radius = parameters_.feature.radius;
-  voxelize(worlds_, worlds_.world(), T_map_world_.inverse(), radius, &world_);
-  voxelize(worlds_, worlds_.object(), Pose::Identity(), radius, &object_);
+  return sampled;
 }
 
 }  // namespace smore

@@ -80,8 +80,12 @@ ForbiddenMatter SurfaceExtents::forbiddenFor(Side side) const {
   // What joins touches lies between them; what forbids it may lie as far beside as balls touch.
   const float margin = joinsTouches(side) ? distance : static_cast<float>(longestRadius(side));
   const MaskedPoints& matter = on_object ? object_ : world_;
-  return {on_object ? world_.points() : object_.points(), poses,
-          boxAround(matter.points(), margin, planar_), distance, latticeCell(feature_)};
+  return {on_object ? world_.points() : object_.points(),
+          poses,
+          boxAround(matter.points(), margin),
+          distance,
+          latticeCell(feature_),
+          planar_};
 }
 
 MatterAllowed SurfaceExtents::allowedFor(Side side, int hypothesis,

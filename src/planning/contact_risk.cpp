@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace smore {
 namespace {
@@ -22,14 +23,13 @@ double entropyTerm(double probability) {
 
 }  // namespace
 
-ContactRisk::ContactRisk(const JointBelief& belief)
-    : belief_(&belief),
-      worlds_(&belief.worlds()),
-      check_distance_(std::max(kCheckShare * worlds_->contactDistance(), kFinestCheck)),
-      check_angle_(check_distance_ / belief.parameters().feature.reach) {}
+ContactRisk::ContactRisk(std::shared_ptr<const Worlds> worlds)
+    : worlds_(std::move(worlds)),
+      check_distance_(std::max(kCheckShare * worlds_->sampled.contactDistance(), kFinestCheck)),
+      check_angle_(check_distance_ / worlds_->feature.reach) {}
 
 HypothesisMask ContactRisk::touching(const Pose& T_world_object) const {
-  return worlds_->touching(belief_->toMap(T_world_object).cast<float>());
+  return worlds_->sampled.touching(worlds_->frame.toMap(T_world_object).cast<float>());
 }
 
 HypothesisMask ContactRisk::touchingAlong(const Path& path) const {
@@ -38,51 +38,43 @@ HypothesisMask ContactRisk::touchingAlong(const Path& path) const {
   return mask;
 }
 
-double ContactRisk::ofMotion(const Path& path) const {
-  const FreeSpaceEvidence& free = belief_->freeSpace();
-  const FreeSpaceParameters& cell = free.parameters();
-  int fresh = 0;
-  for (const Pose& pose : densify(path, cell.position_cell, cell.angle_cell)) {
-    fresh += free.knows(belief_->toMap(pose)) ? 0 : 1;
-  }
-  const double known = std::max(1.0, static_cast<double>(free.cellCount()));
-  const double no_surprise = known / (known + fresh);
-  return 1.0 - (1.0 - predictedShare(along(path))) * no_surprise;
+double ContactRisk::noSurpriseIn(int fresh) const {
+  const double known = std::max(1.0, static_cast<double>(worlds_->free.count()));
+  return known / (known + fresh);
 }
 
-double ContactRisk::surpriseRate() const {
-  const FreeSpaceEvidence& free = belief_->freeSpace();
-  const double contacts = 1.0 + static_cast<double>(belief_->contactCount());
-  const double cells =
-      kPriorLength / free.parameters().position_cell + static_cast<double>(free.cellCount());
-  return contacts / cells;
+double ContactRisk::ofMotion(const Path& path) const {
+  const FreeSpaceParameters& cell = worlds_->free.parameters();
+  int fresh = 0;
+  for (const Pose& pose : densify(path, cell.position_cell, cell.angle_cell)) {
+    fresh += worlds_->free.knows(worlds_->frame.toMap(pose)) ? 0 : 1;
+  }
+  return 1.0 - (1.0 - predictedShare(along(path))) * noSurpriseIn(fresh);
 }
 
 double ContactRisk::informationOf(const Path& path) const {
-  const FreeSpaceEvidence& free = belief_->freeSpace();
-  const FreeSpaceParameters& cell = free.parameters();
-  const double no_surprise_in_cell = std::exp(-surpriseRate());
+  const FreeSpaceParameters& cell = worlds_->free.parameters();
   HypothesisMask touched = 0;
+  int fresh = 0;
   double no_surprise = 1.0;
   double surprise = 0.0;
   double entropy = 0.0;
   for (const Pose& pose : densify(path, cell.position_cell, cell.angle_cell)) {
     const HypothesisMask first = touching(pose) & ~touched;
     touched |= first;
-    entropy += entropyTerm(no_surprise * worlds_->shareOf(first));
-    if (free.knows(belief_->toMap(pose))) continue;
+    entropy += entropyTerm(no_surprise * worlds_->sampled.shareOf(first));
+    if (worlds_->free.knows(worlds_->frame.toMap(pose))) continue;
     const double before = no_surprise;
-    no_surprise *= no_surprise_in_cell;
-    surprise += worlds_->shareOf(~touched) * (before - no_surprise);
+    no_surprise = noSurpriseIn(++fresh);
+    surprise += worlds_->sampled.shareOf(~touched) * (before - no_surprise);
   }
-  const double patches = std::max(1.0, patchesOfObject());
-  entropy += entropyTerm(surprise) + surprise * std::log(patches);
-  return entropy + entropyTerm(no_surprise * worlds_->shareOf(~touched));
+  entropy += entropyTerm(surprise) + surprise * std::log(std::max(1.0, patchesOfObject()));
+  return entropy + entropyTerm(no_surprise * worlds_->sampled.shareOf(~touched));
 }
 
 double ContactRisk::patchesOfObject() const {
-  const double size = belief_->parameters().feature.reach / worlds_->contactDistance();
-  return belief_->parameters().T_world_plane ? 2.0 * M_PI * size : 4.0 * M_PI * size * size;
+  const double size = worlds_->feature.reach / worlds_->feature.conflictDistance();
+  return worlds_->frame.planar() ? 2.0 * M_PI * size : 4.0 * M_PI * size * size;
 }
 
 }  // namespace smore

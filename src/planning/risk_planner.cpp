@@ -56,14 +56,17 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
                          const RiskPlannerParameters& parameters, std::uint64_t seed)
     : belief_(&belief),
       parameters_(parameters),
-      space_(space, belief.mapFrame(), parameters.lever),
+      space_(space, belief.frame().T_map_world(), parameters.lever),
       seed_(seed) {
   if (!space_.planar()) parameters_.improvements = parameters.improvements_in_space;
 }
 
 Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
+  const std::shared_ptr<const Worlds> worlds = belief_->worlds();
+  if (worlds->resets != resets_) alternatives_.clear();
+  resets_ = worlds->resets;
   const std::uint64_t seed = mixBits(seed_, calls_++);
-  Search search{RiskMotions(belief_->worlds(), parameters_.lever, space_.fullTurns()),
+  Search search{RiskMotions(worlds->sampled, parameters_.lever, space_.fullTurns()),
                 space_.toState(start),
                 space_.toState(goal),
                 seed,
@@ -79,7 +82,7 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   for (const RiskState& state : paths.front().states()) plan.path.push_back(space_.toPose(state));
   plan.path.front() = start;
   plan.path.back() = goal;
-  plan.risk = ContactRisk(*belief_).ofMotion(plan.path);
+  plan.risk = ContactRisk(worlds).ofMotion(plan.path);
   plan.tree = std::move(search.edges);
   return plan;
 }

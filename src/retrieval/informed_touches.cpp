@@ -29,8 +29,8 @@ InformedTouches::InformedTouches(const JointBelief& belief, const MotionSpace& s
 
 Result<Path> InformedTouches::nextTouch(const Pose& from) {
   if (belief_->contactCount() == 0) return first_.nextTouch(from);
-  const FreeRoadmap roadmap(belief_->freeTracks(), from, belief_->freeSpace().parameters());
-  const ContactRisk risk(*belief_);
+  const ContactRisk risk(belief_->worlds());
+  const FreeRoadmap roadmap(belief_->freeTracks(), from, risk.worlds().free.parameters());
   int best_turn = 0;
   Pose best_end = from;
   information_ = 0.0;

@@ -36,7 +36,7 @@ Result<Plan> MethodReplica::plan(const Pose& start, const Pose& goal, bool relax
 PoseAssessment MethodReplica::assess(const Pose& T_world_object, const Pose& known_free) const {
   PoseAssessment assessment;
   if (const auto* belief = dynamic_cast<const JointBelief*>(method_.maps.get())) {
-    assessment.risk = ContactRisk(*belief).atPose(T_world_object);
+    assessment.risk = ContactRisk(belief->worlds()).atPose(T_world_object);
     assessment.valid = true;
   } else if (const auto* memory = dynamic_cast<const CspaceMemory*>(method_.memory.get())) {
     assessment.valid = memory->isValid(T_world_object, known_free);
@@ -55,11 +55,11 @@ std::vector<double> MethodReplica::risksAlong(const Path& path) const {
   std::vector<double> risks(path.size(), 0.0);
   const auto* belief = dynamic_cast<const JointBelief*>(method_.maps.get());
   if (belief == nullptr || path.empty()) return risks;
-  const ContactRisk risk(*belief);
+  const ContactRisk risk(belief->worlds());
   HypothesisMask touched = risk.touching(path.front());
   for (size_t i = 0; i < path.size(); ++i) {
     if (i > 0) touched |= risk.touchingAlong({path[i - 1], path[i]});
-    risks[i] = risk.worlds().shareOf(touched);
+    risks[i] = risk.worlds().sampled.shareOf(touched);
   }
   return risks;
 }

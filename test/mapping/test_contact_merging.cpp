@@ -35,8 +35,8 @@ TEST(FreeSpaceEvidence, ARemovedContactLeavesNoTrace) {
   FreeSpaceEvidence removed({}, distance);
   FreeSpaceEvidence never({}, distance);
   for (int k = 0; k < 4; ++k) {
-    removed.addContact(kContacts[k]);
-    if (k != 1) never.addContact(kContacts[k]);
+    removed.insertContact(k, kContacts[k]);
+    if (k != 1) never.insertContact(k < 1 ? k : k - 1, kContacts[k]);
   }
   const auto add_poses = [](FreeSpaceEvidence* evidence) {
     for (const double x : {0.0, 1.0, 2.0}) evidence->addPose(makePose({x, 0, 0}));

@@ -56,7 +56,7 @@ TEST(ForbiddenMatter, IsWhereTheOtherSideWasToTheAccuracyOfItsCells) {
   for (int i = 0; i < 12; ++i) poses.push_back(random.pose());
   const Eigen::AlignedBox3f region(Eigen::Vector3f::Constant(-0.3F),
                                    Eigen::Vector3f::Constant(0.3F));
-  const ForbiddenMatter forbidden(balls, poses, region, kDistance, kCell);
+  const ForbiddenMatter forbidden(balls, poses, region, kDistance, kCell, false);
   // A ball and the point that is asked for are each at most half a diagonal from their cells.
   const float error = kCell * std::sqrt(3.0F);
   int some = 0;
@@ -73,22 +73,22 @@ TEST(ForbiddenMatter, IsWhereTheOtherSideWasToTheAccuracyOfItsCells) {
 TEST(ForbiddenMatter, EndsWithItsRegion) {
   const Eigen::AlignedBox3f region(Eigen::Vector3f::Zero(), Eigen::Vector3f::Constant(0.1F));
   const ForbiddenMatter forbidden({{Eigen::Vector3f::Constant(0.1F), 1}},
-                                  {Eigen::Isometry3f::Identity()}, region, kDistance, kCell);
+                                  {Eigen::Isometry3f::Identity()}, region, kDistance, kCell, false);
   EXPECT_EQ(forbidden.at(Eigen::Vector3f::Constant(0.09F)), 1U);
   EXPECT_EQ(forbidden.at(Eigen::Vector3f::Constant(0.13F)), 0U);
 }
 
-TEST(MaskGrid, BallsAroundPointsOfTheLatticeAreExact) {
-  // Points on a lattice of two cells lie in the middle of cells: so do those that are asked for.
+// Points on a lattice of two cells lie in the middle of cells: so do those that are asked for.
+void compareBallsWithAllPairs(std::vector<MaskedPoint> balls, int asked) {
   constexpr float kHalf = kCell / 2.0F;
-  Random random;
-  std::vector<MaskedPoint> balls = random.balls(64);
   for (MaskedPoint& ball : balls) {
     ball.point = (ball.point / kCell).array().round().matrix() * kCell;
   }
   const MaskGrid grid(balls, kDistance, kHalf, false);
-  for (int i = 0; i < 5000; ++i) {
-    const Eigen::Vector3f point = (random.point(0.25F) / kHalf).array().round().matrix() * kHalf;
+  Random random;
+  for (int i = 0; i < asked; ++i) {
+    const Eigen::Vector3f near = balls[i % balls.size()].point + random.point(1.5F * kDistance);
+    const Eigen::Vector3f point = (near / kHalf).array().round().matrix() * kHalf;
     // Half a cell's rounding of a distance that is equal to that of contact does not count.
     const HypothesisMask expected =
         nearAtSomePose(balls, {Eigen::Isometry3f::Identity()}, point, kDistance - 1e-5F);
@@ -96,9 +96,21 @@ TEST(MaskGrid, BallsAroundPointsOfTheLatticeAreExact) {
   }
 }
 
+TEST(MaskGrid, BallsAroundPointsOfTheLatticeAreExact) {
+  Random random;
+  compareBallsWithAllPairs(random.balls(64), 5000);
+}
+
+TEST(MaskGrid, BallsAreAsExactInALargeRoom) {
+  Random random;
+  std::vector<MaskedPoint> balls = random.balls(256);
+  for (MaskedPoint& ball : balls) ball.point *= 20.0F;  // 8 m wide
+  compareBallsWithAllPairs(balls, 5000);
+}
+
 TEST(ForbiddenMatter, WithoutTouchesNothingIsForbidden) {
-  const ForbiddenMatter forbidden({}, {Eigen::Isometry3f::Identity()}, boxAround({}, 0.6F, false),
-                                  kDistance, kCell);
+  const ForbiddenMatter forbidden({}, {Eigen::Isometry3f::Identity()}, boxAround({}, 0.6F),
+                                  kDistance, kCell, false);
   EXPECT_EQ(forbidden.at(Eigen::Vector3f::Zero()), 0U);
 }
 
@@ -108,7 +120,7 @@ TEST(MaskGrid, OfSpatialPointsAtHeightZeroReachesAboveAndBelow) {
   for (const float z : {-0.03F, 0.03F}) EXPECT_EQ(grid.at(Eigen::Vector3f(0.1F, 0.2F, z)), 5U);
   const ForbiddenMatter forbidden(
       {{Eigen::Vector3f(0.1F, 0.2F, 0.03F), 3}}, {Eigen::Isometry3f::Identity()},
-      boxAround({{Eigen::Vector3f(0.1F, 0.2F, 0.0F), 3}}, 0.1F, false), kDistance, kCell);
+      boxAround({{Eigen::Vector3f(0.1F, 0.2F, 0.0F), 3}}, 0.1F), kDistance, kCell, false);
   EXPECT_EQ(forbidden.at(Eigen::Vector3f(0.1F, 0.2F, 0.05F)), 3U);
 }
 

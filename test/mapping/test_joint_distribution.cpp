@@ -40,7 +40,7 @@ std::unique_ptr<SmallCase> randomCase(unsigned seed, int free_poses) {
       contact.log_prior[i] = static_cast<float>(-std::log(kPlaces));
     }
     result->contacts.push_back(contact);
-    result->evidence.addContact(contact);
+    result->evidence.insertContact(k, contact);
   }
   for (int i = 0; i < free_poses; ++i)
     result->evidence.addPose(makePose(randomPoint(kSpan, &random)));
@@ -180,7 +180,7 @@ TEST(JointDistribution, TheOrderOfContactsDoesNotChangeASample) {
   SmallCase reversed;
   for (int k = kContacts - 1; k >= 0; --k) {
     reversed.contacts.push_back(small->contacts[k]);
-    reversed.evidence.addContact(small->contacts[k]);
+    reversed.evidence.insertContact(kContacts - 1 - k, small->contacts[k]);
   }
   std::mt19937 random(9);
   for (int i = 0; i < 6; ++i)

@@ -5,6 +5,7 @@
 #include <map>
 #include <random>
 
+#include "smore/mapping/joint_belief.h"
 #include "smore/planning/contact_risk.h"
 
 namespace smore {
@@ -56,8 +57,8 @@ void compareWithAllPairs(bool planar) {
   int touching = 0;
   for (unsigned seed = 1; seed <= 2; ++seed) {
     const JointBelief belief = randomBelief(planar, seed);
-    const ContactRisk risk(belief);
-    const double distance = risk.worlds().contactDistance();
+    const ContactRisk risk(belief.worlds());
+    const double distance = risk.worlds().sampled.contactDistance();
     // Half the diagonal of the cells in which the fast look-up answers; in space they are coarser.
     const double rounding = (planar ? 0.2 : 0.5) * distance;
     for (int i = 0; i < (planar ? 30 : 6); ++i) {
@@ -65,11 +66,11 @@ void compareWithAllPairs(bool planar) {
       const Pose pose = makePose(0.4 * Vec3(uniform(random), uniform(random), z * uniform(random)),
                                  {z * uniform(random), z * uniform(random), 3.0 * uniform(random)});
       const HypothesisMask mask = risk.touching(pose);
-      const HypothesisMask certainly = bruteForce(risk.worlds(), pose, distance - rounding);
-      const HypothesisMask perhaps = bruteForce(risk.worlds(), pose, distance + rounding);
+      const HypothesisMask certainly = bruteForce(risk.worlds().sampled, pose, distance - rounding);
+      const HypothesisMask perhaps = bruteForce(risk.worlds().sampled, pose, distance + rounding);
       EXPECT_EQ(certainly & ~mask, 0U);
       EXPECT_EQ(mask & ~perhaps, 0U);
-      EXPECT_DOUBLE_EQ(risk.atPose(pose), risk.worlds().shareOf(mask));
+      EXPECT_DOUBLE_EQ(risk.atPose(pose), risk.worlds().sampled.shareOf(mask));
       touching += mask != 0 ? 1 : 0;
     }
   }
@@ -82,12 +83,12 @@ TEST(ContactRisk, AgreesWithAllPairsInSpace) { compareWithAllPairs(false); }
 
 TEST(ContactRisk, AlongAPathIsTheUnionOverItsPosesNotTheirSum) {
   const JointBelief belief = randomBelief(true, 2);
-  const ContactRisk risk(belief);
+  const ContactRisk risk(belief.worlds());
   const Path path = {makePose({-0.3, 0, 0}), makePose({0.3, 0.1, 0}, {0, 0, 0.5})};
   HypothesisMask mask = 0;
   for (const Pose& pose : densify(path, 0.001, 0.002)) mask |= risk.touching(pose);
   // The coarser check may miss a graze between two of its poses.
-  EXPECT_NEAR(risk.along(path), risk.worlds().shareOf(mask), 0.05);
+  EXPECT_NEAR(risk.along(path), risk.worlds().sampled.shareOf(mask), 0.05);
   EXPECT_GT(risk.along(path), 0.0);
   EXPECT_GE(risk.along(path), risk.atPose(path.front()));
 }
@@ -110,17 +111,18 @@ TEST(ContactRisk, InThePlaneDoesNotFallWithTheHeightAboveIt) {
     observation.T_world_object = T_world_plane * makePose({0.3, 0, 0}) * off;
     observation.line = LineOfAction{Vec3::Zero(), -Vec3::UnitX(), 6.0};
     belief.observe(observation);
-    const ContactRisk risk(belief);
+    const ContactRisk risk(belief.worlds());
     const Pose on = T_world_plane * makePose({0.3 + 2.0 * parameters.feature.tolerance, 0, 0});
     EXPECT_GT(risk.atPose(on * off), 0.9);
     EXPECT_GT(risk.atPose(on), 0.9);
-    EXPECT_TRUE(belief.freeSpace().knows(belief.toMap(T_world_plane * makePose({0.25, 0, 0}))));
+    EXPECT_TRUE(
+        belief.freeSpace().cells().knows(belief.toMap(T_world_plane * makePose({0.25, 0, 0}))));
   }
 }
 
 TEST(ContactRisk, NothingKnownIsNoRisk) {
   const JointBelief belief{JointBeliefParameters{}};
-  const ContactRisk risk(belief);
+  const ContactRisk risk(belief.worlds());
   EXPECT_EQ(risk.atPose(Pose::Identity()), 0.0);
   EXPECT_EQ(risk.along({makePose({0, 0, 0}), makePose({1, 0, 0})}), 0.0);
 }
@@ -129,7 +131,7 @@ TEST(ContactRisk, NothingKnownIsNoRisk) {
 // even, whatever the scale.
 TEST(ContactRisk, OfAMotionFallsWithWhatIsKnownToBeFree) {
   JointBelief belief{JointBeliefParameters{}};
-  const double cell = belief.freeSpace().parameters().position_cell;
+  const double cell = belief.freeSpace().cells().parameters().position_cell;
   ContactObservation free;
   free.state = ContactState::kFree;
   constexpr int kCells = 40;
@@ -137,7 +139,7 @@ TEST(ContactRisk, OfAMotionFallsWithWhatIsKnownToBeFree) {
     free.T_world_object = makePose({i * cell, 0, 0});
     belief.observe(free);
   }
-  const ContactRisk risk(belief);
+  const ContactRisk risk(belief.worlds());
   const auto motion = [&](int from, int to) {
     return Path{makePose({from * cell, 0, 0}), makePose({to * cell, 0, 0})};
   };
@@ -151,7 +153,7 @@ TEST(ContactRisk, OfAMotionFallsWithWhatIsKnownToBeFree) {
 TEST(ContactRisk, InformationIsTheEntropyOfWhereEachWorldTouchesFirst) {
   JointBelief belief = randomBelief(true, 2);
   const Path path = {makePose({-0.3, 0, 0}), makePose({0.3, 0.1, 0})};
-  const FreeSpaceParameters cell = belief.freeSpace().parameters();
+  const FreeSpaceParameters cell = belief.freeSpace().cells().parameters();
   const Path poses = densify(path, cell.position_cell, cell.angle_cell);
   ContactObservation free;
   free.state = ContactState::kFree;
@@ -160,7 +162,7 @@ TEST(ContactRisk, InformationIsTheEntropyOfWhereEachWorldTouchesFirst) {
     free.T_world_object = poses[i];
     belief.observe(free);
   }
-  const ContactRisk risk(belief);
+  const ContactRisk risk(belief.worlds());
   const Path known(poses.begin(), poses.begin() + static_cast<long>(poses.size() / 2));
   std::map<std::size_t, int> worlds_by_outcome;
   for (int world = 0; world < kHypotheses; ++world) {
@@ -175,6 +177,29 @@ TEST(ContactRisk, InformationIsTheEntropyOfWhereEachWorldTouchesFirst) {
   }
   EXPECT_NEAR(risk.informationOf(known), entropy, 1e-9);
   EXPECT_GT(risk.informationOf(path), entropy) << "the rest may touch what nothing has touched yet";
+}
+
+// Where nothing is known the outcome is whether something unknown is touched, and with which place
+// of the object's surface: with the probability of ofMotion, but for the worlds that it counts too.
+TEST(ContactRisk, InformationAndRiskKnowOfOneSurprise) {
+  JointBelief belief{JointBeliefParameters{}};
+  ContactObservation free;
+  free.state = ContactState::kFree;
+  const double cell = belief.freeSpace().cells().parameters().position_cell;
+  for (int i = 0; i < 40; ++i) {
+    free.T_world_object = makePose({i * cell, 0, 0});
+    belief.observe(free);
+  }
+  const ContactRisk risk(belief.worlds());
+  const FeatureParameters feature;
+  const double patches = 4.0 * M_PI * std::pow(feature.reach / feature.conflictDistance(), 2);
+  for (const int cells : {20, 60, 200}) {
+    const Path motion = {makePose({0, 0, 0}), makePose({cells * cell, 0, 0})};
+    const double surprise = 1.0 - (1.0 - risk.ofMotion(motion)) / (1.0 - risk.ofMotion({}));
+    double expected = surprise * std::log(patches);
+    for (const double p : {surprise, 1.0 - surprise}) expected -= p > 0.0 ? p * std::log(p) : 0.0;
+    EXPECT_NEAR(risk.informationOf(motion), expected, 1e-9) << cells;
+  }
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST_P(RiskPlannerIn, GoesStraightWhereNothingIsKnown) {
 TEST_P(RiskPlannerIn, DoesNotRepeatAContact) {
   JointBelief belief = emptyBelief(GetParam());
   block(0.3, &belief);
-  const ContactRisk risk(belief);
+  const ContactRisk risk(belief.worlds());
   EXPECT_GT(risk.along({kStart, kGoal}), 0.9);
   RiskPlanner planner(belief, spaceOf(GetParam()), {}, 1);
   const auto plan = planner.plan(kStart, kGoal);
@@ -73,7 +73,8 @@ TEST_P(RiskPlannerIn, ImprovesAPathByItsOwnMeasure) {
   block(0.3, &belief);
   const RiskPlannerParameters parameters;
   const RiskSpace space(spaceOf(GetParam()), Pose::Identity(), parameters.lever);
-  const RiskMotions motions(belief.worlds(), parameters.lever);
+  const std::shared_ptr<const Worlds> worlds = belief.worlds();
+  const RiskMotions motions(worlds->sampled, parameters.lever);
   std::vector<RiskState> states;
   for (const double y : {0.0, 0.2, -0.3, 0.1, 0.3, 0.0}) {
     states.push_back(space.toState(makePose({-0.2 * static_cast<double>(states.size()), y, 0})));
@@ -95,16 +96,16 @@ TEST_P(RiskPlannerIn, DoesNotRepeatAContactWithoutALine) {
   observation.contact_id = 1;
   observation.T_world_object = makePose({-0.3, 0, 0});
   belief.observe(observation);
-  EXPECT_EQ(ContactRisk(belief).along({kStart, kGoal}), 1.0);
+  EXPECT_EQ(ContactRisk(belief.worlds()).along({kStart, kGoal}), 1.0);
   RiskPlanner planner(belief, spaceOf(GetParam()), {}, 1);
   const auto plan = planner.plan(kStart, kGoal);
   ASSERT_TRUE(plan);
-  EXPECT_EQ(ContactRisk(belief).along(plan->path), 0.0);
+  EXPECT_EQ(ContactRisk(belief.worlds()).along(plan->path), 0.0);
   // Once the line has come, the sampled worlds say where such a motion touches.
   observation.line = LineOfAction{};
   observation.line->direction = Vec3::UnitX();
   belief.observe(observation);
-  EXPECT_LT(ContactRisk(belief).atPose(makePose({-0.3, 0.02, 0})), 1.0);
+  EXPECT_LT(ContactRisk(belief.worlds()).atPose(makePose({-0.3, 0.02, 0})), 1.0);
 }
 
 TEST_P(RiskPlannerIn, TheSameSeedGivesTheSamePaths) {
@@ -140,7 +141,29 @@ TEST_P(RiskPlannerIn, TakesTheBestPathAtTheDeadline) {
   RiskPlanner until_the_limit(belief, spaceOf(GetParam()), endless, 1);
   const auto best = until_the_limit.plan(kStart, kGoal);
   ASSERT_TRUE(best);
-  EXPECT_LT(ContactRisk(belief).along(best->path), 0.5) << "a second is enough for a way round";
+  EXPECT_LT(ContactRisk(belief.worlds()).along(best->path), 0.5)
+      << "a second is enough for a way round";
+}
+
+// What a search found before all was forgotten is no better than what it would find anew.
+TEST_P(RiskPlannerIn, ForgetsItsPathsWithTheBelief) {
+  JointBelief belief = emptyBelief(GetParam());
+  RiskPlannerParameters no_memory;
+  no_memory.alternatives = 0;
+  RiskPlanner planner(belief, spaceOf(GetParam()), {}, 5);
+  RiskPlanner forgetful(belief, spaceOf(GetParam()), no_memory, 5);
+  block(0.2, &belief);
+  planner.plan(kStart, kGoal);
+  forgetful.plan(kStart, kGoal);
+  belief.reset();
+  block(0.4, &belief);
+  const auto a = planner.plan(kStart, kGoal);
+  const auto b = forgetful.plan(kStart, kGoal);
+  ASSERT_TRUE(a && b);
+  ASSERT_EQ(a->path.size(), b->path.size());
+  for (std::size_t i = 0; i < a->path.size(); ++i) {
+    EXPECT_EQ(a->path[i].matrix(), b->path[i].matrix());
+  }
 }
 
 TEST_P(RiskPlannerIn, SaysWhyThereIsNoPlan) {

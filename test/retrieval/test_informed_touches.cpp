@@ -39,7 +39,7 @@ TEST(InformedTouches, goAlongFreePosesAndThenOnWithinTheWorkspace) {
     ASSERT_GE(path.size(), 2u);
     EXPECT_TRUE(path.front().isApprox(Pose::Identity()));
     for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-      EXPECT_TRUE(belief.freeSpace().knows(path[k]));
+      EXPECT_TRUE(belief.freeSpace().cells().knows(path[k]));
     }
     EXPECT_TRUE(space().contains(path.back()));
   }
@@ -51,7 +51,7 @@ TEST(InformedTouches, tellMoreThanTheyMust) {
   const Path path = *touches.nextTouch(Pose::Identity());
   ASSERT_GE(path.size(), 2u);
   const Path probe(path.end() - 2, path.end());
-  EXPECT_DOUBLE_EQ(ContactRisk(belief).informationOf(probe), touches.information());
+  EXPECT_DOUBLE_EQ(ContactRisk(belief.worlds()).informationOf(probe), touches.information());
   EXPECT_GE(touches.information(), InformedTouchParameters{}.least_information);
 }
 

@@ -4,11 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <unordered_set>
 #include <vector>
 
 #include "smore/common/geometry.h"
 #include "smore/mapping/contact_hypotheses.h"
+#include "smore/mapping/free_cells.h"
 #include "smore/mapping/point_index.h"
 
 namespace smore {
@@ -23,13 +23,9 @@ struct ConflictTable {
   std::array<CandidateBits, kCandidates> by_world{};   ///< for a place in the world: object places
 };
 
-struct FreeSpaceParameters {
-  double position_cell = 0.012;  ///< poses in one cell of this size ... [m]
-  double angle_cell = 0.03;      ///< ... and this one count once [rad]
-};
-
-/// Everything that contact-free poses say about the places of all contacts. Each pose counts once,
-/// however often it is observed, and each contradiction is one bit, however many poses show it.
+/// Everything that contact-free poses say about the places of all contacts. Each cell of
+/// poses counts once, as its centre, and each contradiction is one bit, however many poses show it.
+/// So neither the order nor the rate of the poses matters.
 class FreeSpaceEvidence {
  public:
   FreeSpaceEvidence(const FreeSpaceParameters& parameters, double conflict_distance);
@@ -37,24 +33,21 @@ class FreeSpaceEvidence {
   /// Nothing touched at this pose of the object in the map frame. False where that was known.
   bool addPose(const Pose& T_map_object);
 
-  /// A contact's places, with all that the known free poses say about them.
-  void addContact(const ContactHypotheses& contact);
+  /// A contact's places, with all that the known free poses say about them; `contact` is its index
+  /// from now on, at most the number of contacts: those from there on move down by one.
+  void insertContact(int contact, const ContactHypotheses& places);
 
   /// Forgets a contact; those after it move up by one.
   void removeContact(int contact);
 
-  /// Whether a pose in the same cell was free.
-  bool knows(const Pose& T_map_object) const;
+  /// All poses that were free.
+  const FreeCells& cells() const { return cells_; }
 
-  /// Cells of poses that were free, in a sequence of as many poses.
-  std::size_t cellCount() const { return seen_.size(); }
-  const FreeSpaceParameters& parameters() const { return parameters_; }
-
-  /// Distinct free poses.
+  /// The centres of their cells [T_map_object].
   const std::vector<Eigen::Isometry3f>& poses() const { return poses_; }
 
   /// Conflicts between places of contact `on_object` on the object and of contact `in_world` in the
-  /// world (indices in the order of addContact), or null where there are none.
+  /// world or null where there are none.
   const ConflictTable* conflicts(int on_object, int in_world) const {
     return tables_[on_object][in_world].get();
   }
@@ -63,9 +56,9 @@ class FreeSpaceEvidence {
 
  private:
   void mark(int object_place, int world_place);
+  void markContact(int first, int end);
 
-  FreeSpaceParameters parameters_;
-  std::unordered_set<std::uint64_t> seen_;
+  FreeCells cells_;
   std::vector<Eigen::Isometry3f> poses_;
   // The places of all contacts, one contact after the other.
   std::vector<Eigen::Vector3f> object_places_;

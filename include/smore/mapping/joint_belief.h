@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <unordered_set>
 #include <vector>
@@ -12,8 +12,8 @@
 #include "smore/mapping/contact_hypotheses.h"
 #include "smore/mapping/free_space_evidence.h"
 #include "smore/mapping/joint_distribution.h"
-#include "smore/mapping/sampled_worlds.h"
 #include "smore/mapping/twin_map.h"
+#include "smore/mapping/worlds.h"
 
 namespace smore {
 
@@ -32,25 +32,39 @@ struct JointBeliefParameters {
   ExtentParameters extent;
 };
 
+/// A pose of the object in the map frame, and when it was there [s].
+struct StampedPose {
+  double time = 0.0;
+  Pose T_map_object = Pose::Identity();
+};
+
 /// A belief that keeps all its evidence: where on each line each contact was, inferred jointly over
 /// all contacts and all free poses, as 64 worlds: equally likely ones in planar motion, in space
 /// weighed by the sizes of their surfaces. Both maps are their marginals.
 ///
-/// The same set of observations gives the same belief in any order and at any rate of free samples
-/// that is fine against the cells of FreeSpaceParameters, as long as no contacts are merged. Free
-/// poses take effect in the maps when they are next asked for.
+/// The same set of observations gives the same belief, to the last bit, in any order, as long as no
+/// contacts are merged, and much the same at any rate of free samples that is fine against the
+/// cells of FreeSpaceParameters.
+///
+/// Observations are taken at once; what follows from them is inferred when it is first asked for,
+/// or by `update`. Threads may ask at the same time, but not while one observes.
 class JointBelief : public TwinMap {
  public:
   explicit JointBelief(const JointBeliefParameters& parameters);
 
+  /// An observation at a pose that is not finite, or farther out than the maps reach (32767 voxels
+  /// from the world's origin, less what matter may be away from it), is left out.
   void observe(const ContactObservation& observation) override;
-  const VoxelGrid& world() const override;
-  const VoxelGrid& object() const override;
+  /// Both maps: valid until the next observation. See worlds().
+  const VoxelGrid& world() const override { return worlds()->world; }
+  const VoxelGrid& object() const override { return worlds()->object; }
   std::uint64_t revision() const override { return revision_; }
+  void update() const override { worlds(); }
   void reset() override;
 
-  /// The sampled worlds; in the frames of toMap.
-  const SampledWorlds& worlds() const;
+  /// What the evidence says by now. The first who asks after an observation waits for the inference
+  /// (Worlds::inference_s), others at the same time for him.
+  std::shared_ptr<const Worlds> worlds() const;
 
   /// In each world, where the object was touched by a contact that was observed at this pose with
   /// this line [in the object frame; in planar motion in its plane]; nothing where that world holds
@@ -62,12 +76,9 @@ class JointBelief : public TwinMap {
   /// for.
   void drawAnew(std::uint64_t seed);
 
-  /// The pose of the object in the map frame: in space the world. In planar motion the frame of the
-  /// plane, onto which the pose is projected: an arm is never quite in it.
-  Pose toMap(const Pose& T_world_object) const;
-
-  /// The world in the map frame.
-  const Pose& mapFrame() const { return T_map_world_; }
+  /// As MapFrame::toMap.
+  Pose toMap(const Pose& T_world_object) const { return frame_.toMap(T_world_object); }
+  const MapFrame& frame() const { return frame_; }
 
   /// Motions that were free, in the order in which they were made [T_world_object].
   const std::vector<Path>& freeTracks() const { return tracks_; }
@@ -79,32 +90,31 @@ class JointBelief : public TwinMap {
   const JointBeliefParameters& parameters() const { return parameters_; }
 
  private:
+  bool mapsReach(const Pose& T_world_object) const;
+  void change();
   void addFree(const Pose& T_world_object);
   void noteContact(const ContactObservation& observation);
   bool addContact(const Pose& T_world_object, const LineOfAction& line);
   void mergeContacts();
   void extendTrack(const Pose& T_world_object);
-  void refresh() const;
-  void publish() const;
+  Worlds infer() const;
+  SampledWorlds sampledWorlds(const std::vector<Explanation>& explanations) const;
 
   JointBeliefParameters parameters_;
-  Pose T_map_world_ = Pose::Identity();
+  MapFrame frame_;
   std::uint64_t revision_ = 0;
+  std::uint64_t resets_ = 0;
   FreeSpaceEvidence evidence_;
-  std::vector<ContactHypotheses> contacts_;
+  std::vector<ContactHypotheses> contacts_;           ///< by their ids
   std::unordered_set<std::uint64_t> known_contacts_;  ///< ids
-  /// By contact_id, the pose of each contact whose line says nothing or has not come yet
-  /// [T_map_object]; nothing for the others.
-  std::map<int, std::optional<Pose>> poses_without_line_;
+  /// By contact_id, the first pose of each contact whose line says nothing or has not come yet;
+  /// nothing for the others.
+  std::map<int, std::optional<StampedPose>> poses_without_line_;
   std::vector<Path> tracks_;
   Pose last_free_ = Pose::Identity();
 
-  // What follows from the evidence, made when it is asked for.
-  mutable bool stale_ = false;
-  mutable std::vector<Explanation> explanations_;
-  mutable SampledWorlds worlds_;
-  mutable VoxelGrid world_;
-  mutable VoxelGrid object_;
+  std::unique_ptr<std::mutex> inferring_ = std::make_unique<std::mutex>();
+  mutable std::shared_ptr<const Worlds> worlds_;  ///< null while nobody has asked
 };
 
 }  // namespace smore

@@ -19,6 +19,10 @@ class TwinMap : public ContactObserver {
   /// Occupancy probabilities in the object frame.
   virtual const VoxelGrid& object() const = 0;
 
+  /// Works out both maps from all observations so far, where that takes time: who asks for them
+  /// next then need not wait.
+  virtual void update() const {}
+
   /// Rises whenever a map changes.
   virtual std::uint64_t revision() const = 0;
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+
 #include "smore/common/geometry.h"
-#include "smore/mapping/joint_belief.h"
+#include "smore/mapping/worlds.h"
 
 namespace smore {
 
@@ -11,8 +13,8 @@ namespace smore {
 /// one unknown decides is not counted as many risks.
 class ContactRisk {
  public:
-  /// A view of the belief as it is now; valid until the belief takes another observation.
-  explicit ContactRisk(const JointBelief& belief);
+  /// Under what a belief says at one moment (JointBelief::worlds); not null.
+  explicit ContactRisk(std::shared_ptr<const Worlds> worlds);
 
   /// Worlds in which the object touches at a pose [T_world_object].
   HypothesisMask touching(const Pose& T_world_object) const;
@@ -20,9 +22,9 @@ class ContactRisk {
   HypothesisMask touchingAlong(const Path& path) const;
 
   double atPose(const Pose& T_world_object) const {
-    return worlds_->shareOf(touching(T_world_object));
+    return worlds_->sampled.shareOf(touching(T_world_object));
   }
-  double along(const Path& path) const { return worlds_->shareOf(touchingAlong(path)); }
+  double along(const Path& path) const { return worlds_->sampled.shareOf(touchingAlong(path)); }
 
   /// Probability that a motion along `path` ends at a contact: with what is known, or with matter
   /// that nothing has touched yet. How far it goes without the latter follows from how far the
@@ -35,21 +37,16 @@ class ContactRisk {
   /// nothing has touched yet may end it too, at any of the places of the object's surface.
   double informationOf(const Path& path) const;
 
-  /// Mean length of a motion that is meant to touch until it does, before anything is known: about
-  /// as far as a hand moves a held thing among others [m].
-  static constexpr double kPriorLength = 1.0;
-
-  const SampledWorlds& worlds() const { return *worlds_; }
+  const Worlds& worlds() const { return *worlds_; }
 
  private:
-  /// Contacts with matter that nothing has touched yet, for each cell of poses that is entered for
-  /// the first time, in motions that are meant to touch.
-  double surpriseRate() const;
+  /// Probability that nothing has ended a motion but matter that is known, once it has entered
+  /// `fresh` cells of poses for the first time.
+  double noSurpriseIn(int fresh) const;
   /// Places on a held thing, as large as it may be, that contacts tell apart.
   double patchesOfObject() const;
 
-  const JointBelief* belief_;
-  const SampledWorlds* worlds_;
+  std::shared_ptr<const Worlds> worlds_;
   double check_distance_;
   double check_angle_;
 };

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "smore/common/geometry.h"
-#include "smore/mapping/free_space_evidence.h"
+#include "smore/mapping/free_cells.h"
 
 namespace smore {
 

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_set>
+
+#include "smore/common/geometry.h"
+
+namespace smore {
+
+struct FreeSpaceParameters {
+  double position_cell = 0.008;  ///< poses in one cell of this size ... [m]
+  double angle_cell = 0.02;      ///< ... and this one count once [rad]
+};
+
+/// The poses that were free, to the accuracy of a lattice of positions and rotation vectors: one
+/// pose, the centre of its cell, stands for all in it. So which poses are known does not depend on
+/// the order or on the rate in which they were observed.
+class FreeCells {
+ public:
+  explicit FreeCells(const FreeSpaceParameters& parameters) : parameters_(parameters) {}
+
+  /// The centre of the pose's cell: within half a cell of it on each axis.
+  Pose centerOf(const Pose& T_map_object) const;
+
+  /// Whether the pose, which must be finite, is the first in its cell.
+  bool add(const Pose& T_map_object) { return cells_.insert(cellOf(T_map_object)).second; }
+
+  /// Whether a pose in the same cell was free.
+  bool knows(const Pose& T_map_object) const { return cells_.count(cellOf(T_map_object)) != 0; }
+
+  /// Cells that are known.
+  std::size_t count() const { return cells_.size(); }
+  const FreeSpaceParameters& parameters() const { return parameters_; }
+
+  void clear() { cells_.clear(); }
+
+ private:
+  using Cell = std::array<std::int32_t, 6>;  ///< of the position and of the rotation vector
+
+  struct HashOfCell {
+    std::size_t operator()(const Cell& cell) const;
+  };
+
+  Cell cellOf(const Pose& T_map_object) const;
+
+  FreeSpaceParameters parameters_;
+  std::unordered_set<Cell, HashOfCell> cells_;
+};
+
+}  // namespace smore
