@@ -74,15 +74,15 @@ std::array<double, kHypotheses> sizeProbabilities(const std::vector<SurfaceTouch
   return log_likelihood;
 }
 
-HypothesisWeights weightsBySize(const std::vector<ContactHypotheses>& contacts,
-                                const std::vector<Explanation>& explanations,
-                                const std::array<double, kHypotheses>& sizes,
-                                const AttractionParameters& attraction) {
+HypothesisWeights::Weights weightsBySize(const std::vector<ContactHypotheses>& contacts,
+                                         const std::vector<Explanation>& explanations,
+                                         const std::array<double, kHypotheses>& sizes,
+                                         const AttractionParameters& attraction) {
   Sizes weights{};
   for (int m = 0; m < kHypotheses; ++m) {
     weights[m] = sizeProbabilities(touchesInWorld(contacts, explanations[m]), sizes, attraction)[m];
   }
-  return HypothesisWeights(weights);
+  return weights;
 }
 
 }  // namespace smore

@@ -13,9 +13,11 @@ namespace {
 constexpr double kCheckShare = 0.3;
 constexpr double kFinestCheck = 0.001;
 
-// Probability that one more world would touch: with Jeffreys' prior for a share, none in 64 worlds
-// is not yet never.
-double predictedShare(double share) { return (kHypotheses * share + 0.5) / (kHypotheses + 1.0); }
+// Probability that one more world would touch: with Jeffreys' prior for a share, none in a number
+// of independent worlds is not yet never.
+double predictedShare(double share, double worlds) {
+  return (worlds * share + 0.5) / (worlds + 1.0);
+}
 
 double entropyTerm(double probability) {
   return probability > 0.0 ? -probability * std::log(probability) : 0.0;
@@ -49,7 +51,8 @@ double ContactRisk::ofMotion(const Path& path) const {
   for (const Pose& pose : densify(path, cell.position_cell, cell.angle_cell)) {
     fresh += worlds_->free.knows(worlds_->frame.toMap(pose)) ? 0 : 1;
   }
-  return 1.0 - (1.0 - predictedShare(along(path))) * noSurpriseIn(fresh);
+  const double touched = predictedShare(along(path), worlds_->sampled.effectiveCount());
+  return 1.0 - (1.0 - touched) * noSurpriseIn(fresh);
 }
 
 double ContactRisk::informationOf(const Path& path) const {

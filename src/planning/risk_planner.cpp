@@ -8,6 +8,7 @@
 
 #include "smore/common/parallel_for.h"
 #include "smore/planning/contact_risk.h"
+#include "smore/planning/free_tracks.h"
 #include "smore/planning/posture_paths.h"
 
 namespace smore {
@@ -170,7 +171,8 @@ RiskPlanner::Trees RiskPlanner::plant(const Search& search) const {
               RiskTree(search.motions, parameters_.step)};
   trees.from_start.add(search.start, -1);
   trees.from_goal.add(search.goal, -1);
-  plantTracks(&trees.from_start);
+  plantTracks(belief_->freeTracks(), space_, belief_->parameters().free_space, search.motions,
+              parameters_.step, &trees.from_start);
   return trees;
 }
 
@@ -182,16 +184,6 @@ RiskState RiskPlanner::draw(const RiskTree& tree, CounterRandom* random) const {
   const double angle = kRadiansPerMetre * distance;
   return random->uniform() < 0.5 ? space_.sampleAlongAxis(center, distance, angle, random)
                                  : space_.sampleNear(center, distance, angle, random);
-}
-
-void RiskPlanner::plantTracks(RiskTree* tree) const {
-  const RiskState root = tree->state(0);
-  for (const Path& track : belief_->freeTracks()) {
-    int parent = 0;
-    if (track.empty() || distanceBetween(space_.toPose(root), track.front()) > parameters_.step)
-      continue;
-    for (const Pose& pose : track) parent = tree->add(space_.toState(pose), parent);
-  }
 }
 
 std::optional<std::vector<RiskState>> RiskPlanner::connect(Trees* trees, int limit,

@@ -93,15 +93,5 @@ TEST(SurfaceSizes, DiscsOfAllSizesMakeTheKernelOfTheAttraction) {
   }
 }
 
-TEST(HypothesisWeights, AreSharesOfTheirSum) {
-  std::array<double, kHypotheses> weights{};
-  std::iota(weights.begin(), weights.end(), 0.0);
-  const HypothesisWeights weighted(weights);
-  EXPECT_NEAR(weighted.shareOf(~HypothesisMask{0}), 1.0, 1e-12);
-  EXPECT_NEAR(weighted.shareOf((HypothesisMask{1} << 3) | (HypothesisMask{1} << 63)), 66.0 / 2016.0,
-              1e-12);
-  EXPECT_DOUBLE_EQ(HypothesisWeights().shareOf(0xFF00FF), 0.25);
-}
-
 }  // namespace
 }  // namespace smore

@@ -20,7 +20,15 @@ struct FreeSpaceParameters {
 /// the order or on the rate in which they were observed.
 class FreeCells {
  public:
+  using Cell = std::array<std::int32_t, 6>;  ///< of the position and of the rotation vector
+  struct HashOfCell {
+    std::size_t operator()(const Cell& cell) const;
+  };
+
   explicit FreeCells(const FreeSpaceParameters& parameters) : parameters_(parameters) {}
+
+  /// The cell that holds a pose, which must be finite.
+  Cell cellOf(const Pose& T_map_object) const;
 
   /// The centre of the pose's cell: within half a cell of it on each axis.
   Pose centerOf(const Pose& T_map_object) const;
@@ -38,14 +46,6 @@ class FreeCells {
   void clear() { cells_.clear(); }
 
  private:
-  using Cell = std::array<std::int32_t, 6>;  ///< of the position and of the rotation vector
-
-  struct HashOfCell {
-    std::size_t operator()(const Cell& cell) const;
-  };
-
-  Cell cellOf(const Pose& T_map_object) const;
-
   FreeSpaceParameters parameters_;
   std::unordered_set<Cell, HashOfCell> cells_;
 };

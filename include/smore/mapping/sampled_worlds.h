@@ -47,11 +47,14 @@ class SampledWorlds {
   HypothesisMask touching(const Eigen::Isometry3f& T_map_object,
                           int enough = kHypotheses - 1) const;
 
-  /// Makes some worlds likelier than others; without, all are equally likely.
+  /// Makes some worlds likelier than others; without, all are equally likely and independent.
   void weigh(const HypothesisWeights& weights) { weights_ = weights; }
 
   /// Probability that the true world is among those in the mask.
   double shareOf(HypothesisMask mask) const { return weights_.shareOf(mask); }
+
+  /// As HypothesisWeights::effectiveCount.
+  double effectiveCount() const { return weights_.effectiveCount(); }
 
   /// Centres of the balls of matter, in the object's and the map's frame.
   const std::vector<MaskedPoint>& object() const { return object_; }

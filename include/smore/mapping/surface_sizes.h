@@ -29,9 +29,9 @@ std::array<double, kHypotheses> sizeProbabilities(const std::vector<SurfaceTouch
                                                   const AttractionParameters& attraction);
 
 /// Weights of the hypotheses, hypothesis m having surfaces of size m in the world.
-HypothesisWeights weightsBySize(const std::vector<ContactHypotheses>& contacts,
-                                const std::vector<Explanation>& explanations,
-                                const std::array<double, kHypotheses>& sizes,
-                                const AttractionParameters& attraction);
+HypothesisWeights::Weights weightsBySize(const std::vector<ContactHypotheses>& contacts,
+                                         const std::vector<Explanation>& explanations,
+                                         const std::array<double, kHypotheses>& sizes,
+                                         const AttractionParameters& attraction);
 
 }  // namespace smore

@@ -59,7 +59,6 @@ class RiskPlanner : public Planner {
   Trees plant(const Search& search) const;
   std::optional<std::vector<RiskState>> connect(Trees* trees, int limit, Search* search) const;
   RiskState draw(const RiskTree& tree, CounterRandom* random) const;
-  void plantTracks(RiskTree* tree) const;
   void keepEdges(const Trees& trees, Search* search) const;
 
   const JointBelief* belief_;
