@@ -12,17 +12,11 @@ HypothesisWeights::Weights equalWeights() {
   return weights;
 }
 
-HypothesisWeights::Founders allFounders() {
-  HypothesisWeights::Founders founders{};
-  std::iota(founders.begin(), founders.end(), 0);
-  return founders;
-}
-
 }  // namespace
 
-HypothesisWeights::HypothesisWeights() : HypothesisWeights(equalWeights(), allFounders()) {}
+HypothesisWeights::HypothesisWeights() : HypothesisWeights(equalWeights()) {}
 
-HypothesisWeights::HypothesisWeights(const Weights& weights, const Founders& founders) {
+HypothesisWeights::HypothesisWeights(const Weights& weights) {
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (int byte = 0; byte < kBytes; ++byte) {
     for (unsigned value = 1; value < 256; ++value) {
@@ -30,10 +24,8 @@ HypothesisWeights::HypothesisWeights(const Weights& weights, const Founders& fou
       shares_[byte][value] = shares_[byte][value & (value - 1)] + weights[8 * byte + lowest] / sum;
     }
   }
-  Weights of_founder{};
-  for (int m = 0; m < kHypotheses; ++m) of_founder[founders[m]] += weights[m] / sum;
   effective_count_ =
-      1.0 / std::inner_product(of_founder.begin(), of_founder.end(), of_founder.begin(), 0.0);
+      sum * sum / std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);
 }
 
 }  // namespace smore

@@ -107,7 +107,7 @@ bool JointBelief::addContact(const Pose& T_world_object, const LineOfAction& lin
 
 void JointBelief::mergeContacts() {
   std::vector<int> merged =
-      coveredContacts(contacts_, worlds()->sample.explanations, parameters_.distribution,
+      coveredContacts(contacts_, worlds()->explanations, parameters_.distribution,
                       parameters_.most_contacts / kMergedShare);
   std::sort(merged.rbegin(), merged.rend());  // the last first, so that indices stay right
   for (const int contact : merged) {
@@ -163,9 +163,10 @@ std::shared_ptr<const Worlds> JointBelief::worlds() const {
 Worlds JointBelief::infer() const {
   const auto begin = SteadyClock::now();
   const FeatureParameters& feature = parameters_.feature;
-  ExplanationSample sample = JointDistribution(contacts_, evidence_, parameters_.distribution)
-                                 .sample(kHypotheses, parameters_.seed);
-  SampledWorlds sampled = sampledWorlds(sample);
+  std::vector<Explanation> explanations =
+      JointDistribution(contacts_, evidence_, parameters_.distribution)
+          .sample(kHypotheses, parameters_.seed);
+  SampledWorlds sampled = sampledWorlds(explanations);
   VoxelGrid world = marginalMap(sampled, sampled.world(), frame_.T_map_world().inverse(),
                                 feature.radius, parameters_.voxel_size);
   VoxelGrid object = marginalMap(sampled, sampled.object(), Pose::Identity(), feature.radius,
@@ -175,28 +176,23 @@ Worlds JointBelief::infer() const {
           evidence_.cells(),
           known_contacts_.size(),
           resets_,
-          std::move(sample),
+          std::move(explanations),
           std::move(sampled),
           std::move(world),
           std::move(object),
           secondsSince(begin)};
 }
 
-SampledWorlds JointBelief::sampledWorlds(const ExplanationSample& sample) const {
+SampledWorlds JointBelief::sampledWorlds(const std::vector<Explanation>& explanations) const {
   const ExtentParameters& extent = parameters_.extent;
-  SampledWorlds sampled({contacts_, evidence_, sample.explanations}, parameters_.feature, extent,
+  SampledWorlds sampled({contacts_, evidence_, explanations}, parameters_.feature, extent,
                         frame_.planar(), parameters_.seed);
-  HypothesisWeights::Weights weights{};
-  weights.fill(1.0);
   // In a plane it tells risks apart less well (docs/planning.md).
   if (!frame_.planar()) {
-    weights = weightsBySize(contacts_, sample.explanations,
-                            surfaceSizes(extent.shortest, extent.world_longest),
-                            parameters_.distribution.world);
+    sampled.weigh(HypothesisWeights(
+        weightsBySize(contacts_, explanations, surfaceSizes(extent.shortest, extent.world_longest),
+                      parameters_.distribution.world)));
   }
-  HypothesisWeights::Founders founders{};
-  std::copy(sample.founders.begin(), sample.founders.end(), founders.begin());
-  sampled.weigh(HypothesisWeights(weights, founders));
   for (const auto& [contact_id, touched] : poses_without_line_) {
     if (!touched) continue;
     sampled.setTouching(touched->T_map_object.cast<float>(), parameters_.feature.reach);

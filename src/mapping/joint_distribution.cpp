@@ -64,7 +64,7 @@ double JointDistribution::logDensity(const Explanation& explanation) const {
   return log_density;
 }
 
-ExplanationSample JointDistribution::sample(int count, std::uint64_t seed) const {
+std::vector<Explanation> JointDistribution::sample(int count, std::uint64_t seed) const {
   TemperedPopulation population(*contacts_, *evidence_, parameters_, count, seed);
   return population.run();
 }

@@ -49,12 +49,9 @@ TemperedPopulation::TemperedPopulation(const std::vector<ContactHypotheses>& con
       evidence_(evidence),
       parameters_(parameters),
       seed_(seed),
-      chains_(count, GibbsChain(contacts, evidence, parameters)),
-      founders_(count) {
-  std::iota(founders_.begin(), founders_.end(), 0);
-}
+      chains_(count, GibbsChain(contacts, evidence, parameters)) {}
 
-ExplanationSample TemperedPopulation::run() {
+std::vector<Explanation> TemperedPopulation::run() {
   sweep(0.0, mixBits(seed_, 0));
   std::uint64_t sweeps = 0;
   for (double heat = 0.0; heat < 1.0;) {
@@ -66,10 +63,9 @@ ExplanationSample TemperedPopulation::run() {
     sweep(heat, mixBits(seed_, sweeps));
   }
   for (int i = 0; i < parameters_.sweeps; ++i) sweep(1.0, mixBits(seed_, ++sweeps));
-  ExplanationSample sample;
-  for (const GibbsChain& chain : chains_) sample.explanations.push_back(chain.explanation());
-  sample.founders = founders_;
-  return sample;
+  std::vector<Explanation> explanations;
+  for (const GibbsChain& chain : chains_) explanations.push_back(chain.explanation());
+  return explanations;
 }
 
 void TemperedPopulation::sweep(double heat, std::uint64_t seed) {
@@ -133,7 +129,6 @@ void TemperedPopulation::continueChains(std::vector<int> copies) {
     while (source < chains_.size() && copies[source] < 2) ++source;
     if (source == chains_.size()) return;
     chains_[m] = chains_[source];
-    founders_[m] = founders_[source];
     --copies[source];
   }
 }

@@ -81,7 +81,7 @@ Enumeration enumerate(const JointDistribution& distribution) {
 // Share of the samples of each (contact, place + 1).
 std::vector<double> sampledMarginals(const JointDistribution& distribution, int samples) {
   std::vector<double> shares(kContacts * (kPlaces + 1), 0.0);
-  for (const Explanation& explanation : distribution.sample(samples, 7).explanations) {
+  for (const Explanation& explanation : distribution.sample(samples, 7)) {
     for (int k = 0; k < kContacts; ++k) {
       shares[k * (kPlaces + 1) + explanation[k] + 1] += 1.0 / samples;
     }
@@ -185,9 +185,8 @@ TEST(JointDistribution, TheOrderOfContactsDoesNotChangeASample) {
   std::mt19937 random(9);
   for (int i = 0; i < 6; ++i)
     reversed.evidence.addPose(Pose(small->evidence.poses()[i].cast<double>()));
-  auto forward = JointDistribution(small->contacts, small->evidence, {}).sample(20, 1).explanations;
-  const auto backward =
-      JointDistribution(reversed.contacts, reversed.evidence, {}).sample(20, 1).explanations;
+  auto forward = JointDistribution(small->contacts, small->evidence, {}).sample(20, 1);
+  const auto backward = JointDistribution(reversed.contacts, reversed.evidence, {}).sample(20, 1);
   for (std::size_t m = 0; m < forward.size(); ++m) {
     std::reverse(forward[m].begin(), forward[m].end());
     EXPECT_EQ(forward[m], backward[m]);

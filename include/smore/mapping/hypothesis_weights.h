@@ -11,14 +11,12 @@ namespace smore {
 class HypothesisWeights {
  public:
   using Weights = std::array<double, kHypotheses>;
-  using Founders = std::array<int, kHypotheses>;
 
-  /// All equal and independent.
+  /// All equal.
   HypothesisWeights();
 
-  /// `weights`: not negative, not all 0; of any sum. Hypotheses of one founder, a number from 0 to
-  /// kHypotheses - 1, are not independent of one another (ExplanationSample).
-  HypothesisWeights(const Weights& weights, const Founders& founders);
+  /// Not negative, not all 0; of any sum.
+  explicit HypothesisWeights(const Weights& weights);
 
   /// Probability that one of the hypotheses in the mask is true; from 0 to 1.
   double shareOf(HypothesisMask mask) const {
@@ -27,11 +25,8 @@ class HypothesisWeights {
     return share;
   }
 
-  /// As many hypotheses, equal and independent, would say what is likely with as small a variance,
-  /// from 1 to kHypotheses: the inverse of the sum of squares of what each founder's weigh
-  /// together. Descent is what the variance of a population that was resampled shows in (Chan and
-  /// Lai, 2013, A general theory of particle filters in hidden Markov models), but for what was
-  /// drawn anew since.
+  /// As many hypotheses of equal weight say as much, from 1 to kHypotheses: the inverse of the sum
+  /// of the squared weights (Kong et al. 1994).
   double effectiveCount() const { return effective_count_; }
 
  private:

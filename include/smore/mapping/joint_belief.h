@@ -98,7 +98,7 @@ class JointBelief : public TwinMap {
   void mergeContacts();
   void extendTrack(const Pose& T_world_object);
   Worlds infer() const;
-  SampledWorlds sampledWorlds(const ExplanationSample& sample) const;
+  SampledWorlds sampledWorlds(const std::vector<Explanation>& explanations) const;
 
   JointBeliefParameters parameters_;
   MapFrame frame_;

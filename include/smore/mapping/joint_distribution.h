@@ -39,14 +39,6 @@ struct DistributionParameters {
 using Explanation = std::vector<std::int16_t>;
 constexpr std::int16_t kFalseContact = -1;
 
-/// Explanations that were drawn together.
-struct ExplanationSample {
-  std::vector<Explanation> explanations;
-  /// For each the number of the first, independent draw that it descends from: those of one founder
-  /// may still have in common what was not drawn anew since.
-  std::vector<int> founders;
-};
-
 /// The joint distribution of the places of all contacts, given all free space (docs/belief.md).
 ///
 ///   P(s) ~ prod_k prior(s_k) * prod_k [(1 + A_k / a)(1 + B_k / b)]^exponent * exp(-cost *
@@ -66,7 +58,7 @@ class JointDistribution {
   /// `count` explanations: a tempered population of Gibbs chains (docs/belief.md). The contacts'
   /// order does not matter: each draws from the seed and its own id, in an order of visits that the
   /// ids give.
-  ExplanationSample sample(int count, std::uint64_t seed) const;
+  std::vector<Explanation> sample(int count, std::uint64_t seed) const;
 
  private:
   const std::vector<ContactHypotheses>* contacts_;

@@ -47,7 +47,7 @@ class SampledWorlds {
   HypothesisMask touching(const Eigen::Isometry3f& T_map_object,
                           int enough = kHypotheses - 1) const;
 
-  /// Makes some worlds likelier than others; without, all are equally likely and independent.
+  /// Makes some worlds likelier than others; without, all are equally likely.
   void weigh(const HypothesisWeights& weights) { weights_ = weights; }
 
   /// Probability that the true world is among those in the mask.

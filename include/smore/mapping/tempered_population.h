@@ -19,7 +19,7 @@ class TemperedPopulation {
                      const FreeSpaceEvidence& evidence, const DistributionParameters& parameters,
                      int count, std::uint64_t seed);
 
-  ExplanationSample run();
+  std::vector<Explanation> run();
 
  private:
   std::vector<double> bindingOfChains() const;
@@ -40,7 +40,6 @@ class TemperedPopulation {
   DistributionParameters parameters_;
   std::uint64_t seed_;
   std::vector<GibbsChain> chains_;
-  std::vector<int> founders_;  ///< of the chains: their numbers in the first sweep
 };
 
 }  // namespace smore

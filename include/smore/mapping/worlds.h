@@ -22,10 +22,11 @@ struct Worlds {
   std::size_t contacts = 0;   ///< observed so far, those that were merged included
   std::uint64_t resets = 0;   ///< how often the belief had forgotten everything
 
-  ExplanationSample sample;  ///< kHypotheses explanations of the contacts kept, by their ids
-  SampledWorlds sampled;     ///< the same with the matter that follows from them
-  VoxelGrid world;           ///< occupancy in the world frame: the worlds' marginals
-  VoxelGrid object;          ///< the same in the object frame
+  std::vector<Explanation>
+      explanations;       ///< kHypotheses of them, of the contacts kept by their ids
+  SampledWorlds sampled;  ///< the same with the matter that follows from them
+  VoxelGrid world;        ///< occupancy in the world frame: the worlds' marginals
+  VoxelGrid object;       ///< the same in the object frame
 
   double inference_s = 0.0;  ///< wall time that it took to make this [s]
 };
