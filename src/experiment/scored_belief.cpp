@@ -10,17 +10,20 @@ ScoredBelief::ScoredBelief(const Scenario& task, const MethodParameters& paramet
     : method_(makeMethod(MethodKind::kSmore, task, seed, parameters)),
       belief_(dynamic_cast<JointBelief*>(method_.maps.get())) {}
 
-double ScoredBelief::riskOf(const Path& path) const { return ContactRisk(*belief_).ofMotion(path); }
+double ScoredBelief::riskOf(const Path& path) const {
+  return ContactRisk(belief_->worlds()).ofMotion(path);
+}
 
 double ScoredBelief::touchingShare(const Path& path) const {
-  return ContactRisk(*belief_).along(path);
+  return ContactRisk(belief_->worlds()).along(path);
 }
 
 std::vector<double> ScoredBelief::survival(const std::vector<Path>& legs) const {
-  const ContactRisk risk(*belief_);
-  const FreeSpaceEvidence& free = belief_->freeSpace();
+  const ContactRisk risk(belief_->worlds());
+  const FreeCells& free = risk.worlds().free;
   const FreeSpaceParameters& cell = free.parameters();
-  const double known = std::max(1.0, static_cast<double>(free.cellCount()));
+  const double known = std::max(1.0, static_cast<double>(free.count()));
+  const double worlds = risk.worlds().sampled.effectiveCount();
   HypothesisMask touched = 0;
   double fresh = 0.0;
   std::vector<double> survival;
@@ -28,11 +31,11 @@ std::vector<double> ScoredBelief::survival(const std::vector<Path>& legs) const 
     touched |= risk.touchingAlong(leg);
     const Path poses = densify(leg, cell.position_cell, cell.angle_cell);
     for (std::size_t i = survival.empty() ? 0 : 1; i < poses.size(); ++i) {
-      fresh += free.knows(belief_->toMap(poses[i])) ? 0.0 : 1.0;
+      fresh += free.knows(risk.worlds().frame.toMap(poses[i])) ? 0.0 : 1.0;
     }
     const double part = static_cast<double>(survival.size() + 1) / static_cast<double>(legs.size());
     const double share =
-        (kHypotheses * risk.worlds().shareOf(touched) + 0.5 * part) / (kHypotheses + 1.0);
+        (worlds * risk.worlds().sampled.shareOf(touched) + 0.5 * part) / (worlds + 1.0);
     survival.push_back((1.0 - share) * known / (known + fresh));
   }
   return survival;
@@ -43,7 +46,7 @@ std::vector<WeighedPlace> ScoredBelief::placesOf(const ContactObservation& conta
   if (!contact.line) return places;
   for (const auto& place : belief_->placesOf(contact.T_world_object, *contact.line)) {
     const HypothesisMask world = HypothesisMask{1} << places.size();
-    places.push_back({place, belief_->worlds().shareOf(world)});
+    places.push_back({place, belief_->worlds()->sampled.shareOf(world)});
   }
   return places;
 }

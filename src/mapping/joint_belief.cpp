@@ -119,15 +119,14 @@ void JointBelief::mergeContacts() {
 
 std::vector<std::optional<Vec3>> JointBelief::placesOf(const Pose& T_world_object,
                                                        const LineOfAction& line) const {
-  refresh();
-  const auto observed = contactHypotheses(T_map_world_ * T_world_object, line, parameters_.feature,
-                                          parameters_.T_world_plane.has_value());
+  const auto observed = contactHypotheses(frame_.T_map_world() * T_world_object, line,
+                                          parameters_.feature, frame_.planar());
   const auto contact = std::find_if(
       contacts_.begin(), contacts_.end(),
       [&](const ContactHypotheses& known) { return observed && known.id == observed->id; });
   std::vector<std::optional<Vec3>> places;
   if (contact == contacts_.end()) return places;
-  for (const Explanation& explanation : explanations_) {
+  for (const Explanation& explanation : worlds()->explanations) {
     const int i = explanation[contact - contacts_.begin()];
     places.emplace_back();
     if (i == kFalseContact) continue;
@@ -140,8 +139,7 @@ std::vector<std::optional<Vec3>> JointBelief::placesOf(const Pose& T_world_objec
 
 void JointBelief::drawAnew(std::uint64_t seed) {
   parameters_.seed = seed;
-  stale_ = true;
-  ++revision_;
+  change();
 }
 
 void JointBelief::reset() {
