@@ -2,7 +2,6 @@
 #include "smore/mapping/joint_belief.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "smore/common/elapsed_time.h"
 #include "smore/mapping/contact_merging.h"
@@ -35,18 +34,18 @@ JointBelief::JointBelief(const JointBeliefParameters& parameters)
       evidence_(parameters.free_space, parameters.feature.conflictDistance()) {}
 
 void JointBelief::observe(const ContactObservation& observation) {
-  if (!mapsReach(observation.T_world_object)) return;
+  if (!isFinite(observation.T_world_object)) return;
+  requireInsideOfMaps(observation.T_world_object);
   if (observation.state == ContactState::kFree) addFree(observation.T_world_object);
   if (observation.state == ContactState::kContact) noteContact(observation);
 }
 
 // All matter that a touch at the pose may speak of has a voxel.
-bool JointBelief::mapsReach(const Pose& T_world_object) const {
-  constexpr double kVoxels = std::numeric_limits<std::int16_t>::max();
+void JointBelief::requireInsideOfMaps(const Pose& T_world_object) const {
   const double beyond = parameters_.feature.reach + parameters_.extent.world_longest +
                         3.0 * parameters_.feature.radius;
-  return isFinite(T_world_object) && T_world_object.translation().cwiseAbs().maxCoeff() + beyond <
-                                         kVoxels * parameters_.voxel_size;
+  const Vec3 corner = T_world_object.translation().cwiseAbs() + Vec3::Constant(beyond);
+  (void)voxelAt(corner, parameters_.voxel_size);
 }
 
 void JointBelief::change() {

@@ -52,8 +52,8 @@ class JointBelief : public TwinMap {
  public:
   explicit JointBelief(const JointBeliefParameters& parameters);
 
-  /// An observation at a pose that is not finite, or farther out than the maps reach (32767 voxels
-  /// from the world's origin, less what matter may be away from it), is left out.
+  /// An observation at a pose that is not finite is left out. std::out_of_range, and nothing else
+  /// has changed, where matter that it may speak of is out of the range of voxel keys.
   void observe(const ContactObservation& observation) override;
   /// Both maps: valid until the next observation. See worlds().
   const VoxelGrid& world() const override { return worlds()->world; }
@@ -90,7 +90,7 @@ class JointBelief : public TwinMap {
   const JointBeliefParameters& parameters() const { return parameters_; }
 
  private:
-  bool mapsReach(const Pose& T_world_object) const;
+  void requireInsideOfMaps(const Pose& T_world_object) const;
   void change();
   void addFree(const Pose& T_world_object);
   void noteContact(const ContactObservation& observation);
