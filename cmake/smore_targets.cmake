@@ -55,14 +55,15 @@ function(smore_test_program name)
   target_compile_options(${name} PRIVATE ${SMORE_WARNINGS})
 endfunction()
 
-# smore_rostest(NAME FILE.test [SOURCES a.cpp ... LINK libraries ...] [TIMEOUT seconds (120)])
+# smore_rostest(NAME FILE.test [SOURCES a.cpp ... LINK libraries ...] [TIMEOUT seconds (120)] [REAL_TIME])
 #
 # Lets ctest run a rostest, with a ROS master of its own on a free port. Sources become the gtest
 # program NAME in devel/lib/smore, for <test pkg="smore" type="NAME" .../> in FILE.test. rostest exits
 # with an error where a test fails, crashes or writes no result. What hangs is ended after TIMEOUT, with
 # all its nodes. These tests run one after another: each starts several processes that should not starve.
+# One that asserts on times (REAL_TIME) runs alone.
 function(smore_rostest name file)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "REAL_TIME" "TIMEOUT" "SOURCES;LINK" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
@@ -82,4 +83,7 @@ function(smore_rostest name file)
   math(EXPR hard_limit "${ARG_TIMEOUT} + 30")
   set_tests_properties(${name} PROPERTIES RESOURCE_LOCK ros TIMEOUT ${hard_limit}
     ENVIRONMENT "PATH=/usr/bin:/bin;ROS_HOME=${PROJECT_BINARY_DIR}/ros_home;ROS_HOSTNAME=localhost")
+  if(ARG_REAL_TIME)
+    set_tests_properties(${name} PROPERTIES RUN_SERIAL TRUE)
+  endif()
 endfunction()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""In a simulation without a guard, as fast as it can, the arm stops with who commands it."""
+"""In a simulation without a guard the arm stops with who commands it."""
 
 import os
 import signal
@@ -8,12 +8,11 @@ import unittest
 
 import rostest
 
-from node_killing import RunningLoop, Simulator
+from node_killing import MOST, RunningLoop, Simulator
 from node_testing import start_node
 
 TESTS = os.path.dirname(os.path.abspath(__file__))
 LAUNCH_FILE = os.path.join(TESTS, os.pardir, os.pardir, "launch", "loop.launch")
-MOST = 0.3  # from the end of a node to the arm's rest [s of simulated time]
 
 
 class KilledCommander(unittest.TestCase):

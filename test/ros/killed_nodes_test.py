@@ -8,11 +8,10 @@ import unittest
 
 import rostest
 
-from node_killing import RunningLoop, Simulator
+from node_killing import MOST, RunningLoop, Simulator
 from node_testing import start_node
 
 LAUNCH_FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "guarded_loop.launch")
-MOST = 0.3  # from the end of a node to the arm's rest [s of the arm's own time]
 
 
 class KilledNodes(unittest.TestCase):
