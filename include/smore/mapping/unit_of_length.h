@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "smore/common/geometry.h"
+
+namespace smore {
+
+/// Units of length that are told apart.
+constexpr int kUnits = 20;
+
+/// The unit of length of a scene [m]: how far from the hand what it holds is touched, on each axis
+/// across the lines of action. All that the belief and the search assume of the size of matter is a
+/// multiple of it: the scene of a pen in a drawer and that of a chair in a room differ in nothing
+/// else. `index` is from 0 to kUnits - 1; the units are log-uniform from 2 mm to 4.4 m, each 1.5
+/// times the one before: as finely as a wrong one costs touches (docs/belief.md).
+double unitOfLength(int index);
+
+/// What one contact says about the unit.
+struct LeverOfContact {
+  double offset = 0.0;         ///< of its line of action from the object frame's origin [m]
+  double offset_stddev = 0.0;  ///< error of the line there, on each axis across it [m]
+  Vec3 origin = Vec3::Zero();  ///< of the object frame when it touched, in the map frame [m]
+};
+
+/// For each unit its probability, of sum 1: all equal before the first contact. Two things tell it:
+/// - a contact's offset is Student's t with the unit and the line's error as scale, in one
+/// dimension
+///   across the line where the motion is `planar`, in two where it is not; or, with a small
+///   probability, one of any size, since a push that is head on says nothing about how large things
+///   are. Nor does a line that is known no better than a unit tell that unit from smaller ones;
+/// - how far apart the object touches follows a Lomax distribution of shape 1, whose scale are some
+///   units: its logarithm is as broad as it is while nobody knows how far things stand apart. All
+///   pairs of contacts count, with the weight of one for each contact but the first.
+std::array<double, kUnits> unitProbabilities(const std::vector<LeverOfContact>& levers,
+                                             bool planar);
+
+/// How many of `total` worlds have each unit: as many in each of `strata` parts of equal
+/// probability, with the unit in the part's middle.
+std::array<int, kUnits> worldsOfUnits(const std::array<double, kUnits>& probabilities, int total,
+                                      int strata);
+
+}  // namespace smore

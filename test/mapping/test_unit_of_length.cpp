@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "smore/mapping/unit_of_length.h"
+
+namespace smore {
+namespace {
+
+// As they are where this is the unit, and it is touched so many units apart.
+std::vector<LeverOfContact> levers(double unit, int count, bool planar, unsigned seed) {
+  std::mt19937 random(seed);
+  std::student_t_distribution<double> across(4.0);
+  std::uniform_real_distribution<double> uniform(-1.5, 1.5);
+  std::vector<LeverOfContact> result;
+  for (int i = 0; i < count; ++i) {
+    const double first = unit * across(random);
+    result.push_back({planar ? std::abs(first) : std::hypot(first, unit * across(random)), 0.0,
+                      unit * Vec3(uniform(random), uniform(random), 0.0)});
+  }
+  return result;
+}
+
+double meanIndex(const std::array<double, kUnits>& probabilities) {
+  double mean = 0.0;
+  for (int i = 0; i < kUnits; ++i) mean += i * probabilities[i];
+  return mean;
+}
+
+TEST(UnitOfLength, AllAreEqualBeforeTheFirstContact) {
+  for (const double probability : unitProbabilities({}, true)) {
+    EXPECT_DOUBLE_EQ(probability, 1.0 / kUnits);
+  }
+}
+
+TEST(UnitOfLength, IsFoundFromContactsOfItsSize) {
+  for (const bool planar : {true, false}) {
+    for (const int index : {4, 8, 12, 15}) {
+      const auto found = unitProbabilities(levers(unitOfLength(index), 200, planar, index), planar);
+      EXPECT_NEAR(std::accumulate(found.begin(), found.end(), 0.0), 1.0, 1e-12);
+      EXPECT_NEAR(meanIndex(found), index, 1.0) << planar;
+    }
+  }
+}
+
+// The same levers in a scene that is larger by the ratio of two neighbouring units.
+TEST(UnitOfLength, ScalesWithTheScene) {
+  const double ratio = unitOfLength(1) / unitOfLength(0);
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::vector<LeverOfContact> scene = levers(unitOfLength(9), 5, true, seed);
+    for (LeverOfContact& lever : scene) lever.offset += 0.1 * unitOfLength(9);
+    const auto before = unitProbabilities(scene, true);
+    for (LeverOfContact& lever : scene) {
+      lever.offset *= ratio;
+      lever.origin *= ratio;
+    }
+    const auto after = unitProbabilities(scene, true);
+    for (int i = 3; i < kUnits - 3; ++i) {
+      EXPECT_NEAR(std::log(after[i + 1] / after[i]), std::log(before[i] / before[i - 1]), 1e-9);
+    }
+  }
+}
+
+TEST(UnitOfLength, APushThatIsHeadOnDecidesNothing) {
+  std::vector<LeverOfContact> scene = levers(unitOfLength(10), 6, true, 3);
+  const double before = meanIndex(unitProbabilities(scene, true));
+  scene.push_back({0.0, 0.0, scene.front().origin});
+  EXPECT_NEAR(meanIndex(unitProbabilities(scene, true)), before, 0.5);
+  const auto alone = unitProbabilities({{0.0, 0.0, Vec3::Zero()}}, true);
+  EXPECT_GT(alone[kUnits - 1], 0.1 * alone[5]);
+}
+
+TEST(UnitOfLength, ALineThatIsKnownNoBetterDoesNotTellItFromSmallerOnes) {
+  const auto found = unitProbabilities({{0.05, 0.08, Vec3::Zero()}}, false);
+  for (int i = 1; unitOfLength(i) < 0.02; ++i) EXPECT_NEAR(found[i] / found[0], 1.0, 0.1);
+  EXPECT_LT(found[kUnits - 1], 0.1 * found[0]);
+}
+
+// The tip of a rod is touched along its axis again and again: where it was says how large things
+// are.
+TEST(UnitOfLength, TouchesFarApartSpeakAgainstASmallOne) {
+  std::vector<LeverOfContact> near;
+  std::vector<LeverOfContact> far;
+  for (int i = 0; i < 6; ++i) {
+    near.push_back({0.0, 0.0, Vec3(0.01 * i, 0, 0)});
+    far.push_back({0.0, 0.0, Vec3(1.0 * i, 0, 0)});
+  }
+  const double gap =
+      meanIndex(unitProbabilities(far, true)) - meanIndex(unitProbabilities(near, true));
+  EXPECT_GT(gap, 3.0);
+}
+
+TEST(UnitOfLength, WorldsAreSharedOutByEqualParts) {
+  std::array<double, kUnits> probabilities{};
+  probabilities[3] = 0.3;
+  probabilities[4] = 0.4;
+  probabilities[7] = 0.3;
+  const auto counts = worldsOfUnits(probabilities, 64, 3);
+  EXPECT_EQ(counts[3] + counts[4] + counts[7], 64);
+  for (const int index : {3, 4, 7}) EXPECT_NEAR(counts[index], 64.0 / 3.0, 1.0);
+
+  std::array<double, kUnits> sure{};
+  sure[5] = 1.0;
+  EXPECT_EQ(worldsOfUnits(sure, 64, 3)[5], 64);
+}
+
+}  // namespace
+}  // namespace smore
