@@ -177,7 +177,7 @@ void run(const Scenario& scenario, int contacts, int most_contacts) {
     const Times begin = now();
     belief.world();
     const Times update = since(begin);
-    std::cout << count << ',' << belief.freeSpace().poses().size() << ',' << cost.free_pose_s << ','
+    std::cout << count << ',' << belief.worlds()->free.count() << ',' << cost.free_pose_s << ','
               << cost.contact_s.processor + update.processor << ','
               << cost.contact_s.wall + update.wall << ',' << memoryInMegabytes() << std::endl;
   }

@@ -151,6 +151,7 @@ std::optional<ContactHypotheses> contactHypotheses(const Pose& T_map_object,
   if (!mean) return std::nullopt;
   ContactHypotheses result;
   result.id = hashOf(T_map_object, line);
+  result.lever = {mean->foot.norm(), std::hypot(line.offset_stddev, line.pitch), T.translation()};
   UncertainLine lines(*mean, line, result.id, planar);
   // A spread that the tolerance covers needs no more places than an exact line.
   const bool exact = lines.spread(parameters.reach) < parameters.tolerance;

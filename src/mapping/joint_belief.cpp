@@ -2,18 +2,19 @@
 #include "smore/mapping/joint_belief.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "smore/common/elapsed_time.h"
 #include "smore/mapping/contact_merging.h"
+#include "smore/mapping/free_tracks.h"
 #include "smore/mapping/marginal_map.h"
-#include "smore/mapping/surface_sizes.h"
 
 namespace smore {
 namespace {
 
-// Neighbours in a track of free poses, and the largest gap that one motion leaves between samples.
-constexpr double kTrackSpacing = 0.05;
-constexpr double kTrackAngle = 0.15;
+// Parts of equal probability into which the unit of length falls: each costs an inference.
+constexpr int kStrata = 3;
 
 // Share of the contacts that is merged when there are too many: not each new one costs a merge.
 constexpr int kMergedShare = 10;  // one in so many
@@ -26,26 +27,19 @@ bool isBefore(const StampedPose& a, const StampedPose& b) {
   return std::lexicographical_compare(of_a, of_a + 16, of_b, of_b + 16);
 }
 
+// Hypotheses in an order in which those of any part of it have surfaces of all sizes.
+int scattered(int place) { return (27 * place + 5) % kHypotheses; }
+
 }  // namespace
 
 JointBelief::JointBelief(const JointBeliefParameters& parameters)
-    : parameters_(parameters),
-      frame_(parameters.T_world_plane),
-      evidence_(parameters.free_space, parameters.feature.conflictDistance()) {}
+    : parameters_(parameters), frame_(parameters.T_world_plane), free_(kPoseAccuracy) {}
 
 void JointBelief::observe(const ContactObservation& observation) {
   if (!isFinite(observation.T_world_object)) return;
-  requireInsideOfMaps(observation.T_world_object);
+  (void)voxelAt(observation.T_world_object.translation(), parameters_.voxel_size);  // in range
   if (observation.state == ContactState::kFree) addFree(observation.T_world_object);
   if (observation.state == ContactState::kContact) noteContact(observation);
-}
-
-// All matter that a touch at the pose may speak of has a voxel.
-void JointBelief::requireInsideOfMaps(const Pose& T_world_object) const {
-  const double beyond = parameters_.feature.reach + parameters_.extent.world_longest +
-                        3.0 * parameters_.feature.radius;
-  const Vec3 corner = T_world_object.translation().cwiseAbs() + Vec3::Constant(beyond);
-  (void)voxelAt(corner, parameters_.voxel_size);
 }
 
 void JointBelief::change() {
@@ -65,75 +59,65 @@ void JointBelief::noteContact(const ContactObservation& observation) {
   change();
 }
 
+// All that is inferred is inferred from the centres of cells, whichever pose entered one first.
 void JointBelief::addFree(const Pose& T_world_object) {
-  extendTrack(T_world_object);
-  if (!evidence_.addPose(toMap(T_world_object))) return;
+  if (!free_.add(T_world_object)) return;
+  trail_.push_back(free_.centerOf(T_world_object));
+  bool news = at_unit_.empty();
+  for (auto& [index, evidence] : at_unit_) {
+    news = evidence.addFree(toMap(trail_.back())) || news;
+  }
+  if (!news) return;
   worlds_ = nullptr;
   if (!contacts_.empty()) ++revision_;  // without contacts the maps stay empty
 }
 
-void JointBelief::extendTrack(const Pose& T_world_object) {
-  const bool first = tracks_.empty();
-  const bool jumped = !first && (distanceBetween(last_free_, T_world_object) > kTrackSpacing ||
-                                 angleBetween(last_free_, T_world_object) > kTrackAngle);
-  last_free_ = T_world_object;
-  if (first || jumped) {
-    tracks_.push_back({T_world_object});
-    return;
-  }
-  const Pose& last = tracks_.back().back();
-  if (distanceBetween(last, T_world_object) > kTrackSpacing ||
-      angleBetween(last, T_world_object) > kTrackAngle) {
-    tracks_.back().push_back(T_world_object);
-  }
-}
-
 bool JointBelief::addContact(const Pose& T_world_object, const LineOfAction& line) {
-  const auto places = contactHypotheses(frame_.T_map_world() * T_world_object, line,
-                                        parameters_.feature, frame_.planar());
+  const auto places = widestPlacesOf(T_world_object, line);
   if (!places) return false;
-  if (!known_contacts_.insert(places->id).second) return true;
-  // By their ids: sums over contacts then round alike, in whatever order they came.
-  const auto after = std::upper_bound(
-      contacts_.begin(), contacts_.end(), *places,
-      [](const ContactHypotheses& a, const ContactHypotheses& b) { return a.id < b.id; });
-  evidence_.insertContact(static_cast<int>(after - contacts_.begin()), *places);
-  contacts_.insert(after, *places);
+  if (!levers_.emplace(places->id, places->lever).second) return true;
+  const ObservedContact contact{places->id, T_world_object, line};
+  contacts_.emplace(contact.id, contact);
+  for (auto& [index, evidence] : at_unit_) evidence.addContact(contact);
   change();
   if (static_cast<int>(contacts_.size()) > parameters_.most_contacts) mergeContacts();
   return true;
 }
 
+// At the unit at which a line may pass farthest from the hand.
+std::optional<ContactHypotheses> JointBelief::widestPlacesOf(const Pose& T_world_object,
+                                                             const LineOfAction& line) const {
+  const FeatureParameters widest = inMetres(parameters_, unitOfLength(kUnits - 1)).feature;
+  return contactHypotheses(frame_.T_map_world() * T_world_object, line, widest, frame_.planar());
+}
+
+// Those that are covered at the likeliest unit.
 void JointBelief::mergeContacts() {
-  std::vector<int> merged =
-      coveredContacts(contacts_, worlds()->explanations, parameters_.distribution,
-                      parameters_.most_contacts / kMergedShare);
-  std::sort(merged.rbegin(), merged.rend());  // the last first, so that indices stay right
-  for (const int contact : merged) {
-    contacts_.erase(contacts_.begin() + contact);
-    evidence_.removeContact(contact);
+  const std::array<int, kUnits> counts = worldsByUnit();
+  const auto likeliest = std::max_element(counts.begin(), counts.end()) - counts.begin();
+  const EvidenceAtUnit& evidence = atUnit(static_cast<int>(likeliest));
+  std::vector<int> members(kHypotheses);
+  std::iota(members.begin(), members.end(), 0);
+  std::vector<std::uint64_t> merged;
+  for (const int contact : coveredContacts(
+           evidence.contacts(), evidence.explain(members, parameters_.seed),
+           evidence.parameters().distribution, parameters_.most_contacts / kMergedShare)) {
+    merged.push_back(evidence.contacts()[contact].id);
+  }
+  for (const std::uint64_t id : merged) {
+    contacts_.erase(id);
+    for (auto& entry : at_unit_) entry.second.removeContact(id);
   }
   worlds_ = nullptr;
 }
 
 std::vector<std::optional<Vec3>> JointBelief::placesOf(const Pose& T_world_object,
                                                        const LineOfAction& line) const {
-  const auto observed = contactHypotheses(frame_.T_map_world() * T_world_object, line,
-                                          parameters_.feature, frame_.planar());
-  const auto contact = std::find_if(
-      contacts_.begin(), contacts_.end(),
-      [&](const ContactHypotheses& known) { return observed && known.id == observed->id; });
-  std::vector<std::optional<Vec3>> places;
-  if (contact == contacts_.end()) return places;
-  for (const Explanation& explanation : worlds()->explanations) {
-    const int i = explanation[contact - contacts_.begin()];
-    places.emplace_back();
-    if (i == kFalseContact) continue;
-    const Eigen::Vector3f depth =
-        static_cast<float>(parameters_.feature.radius) * contact->object_normal.at(i);
-    places.back() = (contact->object.at(i) - depth).cast<double>();
-  }
-  return places;
+  const auto observed = widestPlacesOf(T_world_object, line);
+  if (!observed) return {};
+  const TouchedPlaces& touched = worlds()->touched;
+  const auto known = touched.find(observed->id);
+  return known == touched.end() ? std::vector<std::optional<Vec3>>() : known->second;
 }
 
 void JointBelief::drawAnew(std::uint64_t seed) {
@@ -142,11 +126,12 @@ void JointBelief::drawAnew(std::uint64_t seed) {
 }
 
 void JointBelief::reset() {
-  evidence_.clear();
+  free_.clear();
+  trail_.clear();
   contacts_.clear();
-  known_contacts_.clear();
+  levers_.clear();
   poses_without_line_.clear();
-  tracks_.clear();
+  at_unit_.clear();
   ++resets_;
   change();
 }
@@ -157,44 +142,106 @@ std::shared_ptr<const Worlds> JointBelief::worlds() const {
   return worlds_;
 }
 
+std::array<int, kUnits> JointBelief::worldsByUnit() const {
+  std::array<int, kUnits> all_alike{};
+  all_alike[parameters_.unit > 0.0 ? 0 : kUnits / 2] = kHypotheses;
+  if (parameters_.unit > 0.0 || levers_.empty()) return all_alike;
+  std::vector<LeverOfContact> levers;
+  levers.reserve(levers_.size());
+  for (const auto& entry : levers_) levers.push_back(entry.second);
+  return worldsOfUnits(unitProbabilities(levers, frame_.planar()), kHypotheses, kStrata);
+}
+
+// Made anew from all observations where the unit has become likely.
+EvidenceAtUnit& JointBelief::atUnit(int index) const {
+  const auto known = at_unit_.find(index);
+  if (known != at_unit_.end()) return known->second;
+  const double unit = parameters_.unit > 0.0 ? parameters_.unit : unitOfLength(index);
+  EvidenceAtUnit& evidence =
+      at_unit_.emplace(index, EvidenceAtUnit(parameters_, frame_, unit)).first->second;
+  for (const Pose& pose : trail_) evidence.addFree(toMap(pose));
+  for (const auto& entry : contacts_) evidence.addContact(entry.second);
+  return evidence;
+}
+
 Worlds JointBelief::infer() const {
   const auto begin = SteadyClock::now();
-  const FeatureParameters& feature = parameters_.feature;
-  std::vector<Explanation> explanations =
-      JointDistribution(contacts_, evidence_, parameters_.distribution)
-          .sample(kHypotheses, parameters_.seed);
-  SampledWorlds sampled = sampledWorlds(explanations);
-  VoxelGrid world = marginalMap(sampled, sampled.world(), frame_.T_map_world().inverse(),
-                                feature.radius, parameters_.voxel_size);
-  VoxelGrid object = marginalMap(sampled, sampled.object(), Pose::Identity(), feature.radius,
-                                 parameters_.voxel_size);
+  const std::array<int, kUnits> counts = worldsByUnit();
+  forgetUnlikelyUnits(counts);
+  TouchedPlaces touched;
+  SampledWorlds sampled = sampledWorlds(counts, &touched);
+  const auto likeliest = std::max_element(counts.begin(), counts.end()) - counts.begin();
+  const EvidenceAtUnit& main = atUnit(static_cast<int>(likeliest));
+  VoxelGrid world = marginalMap(sampled, &WorldsAtUnit::world, frame_.T_map_world().inverse(),
+                                parameters_.voxel_size);
+  VoxelGrid object =
+      marginalMap(sampled, &WorldsAtUnit::object, Pose::Identity(), parameters_.voxel_size);
+  const double unit = meanUnit(counts);
   return {frame_,
-          feature,
-          evidence_.cells(),
-          known_contacts_.size(),
+          unit,
+          main.parameters().feature,
+          main.free().cells(),
+          freeTracks(trail_, unit),
+          levers_.size(),
           resets_,
-          std::move(explanations),
           std::move(sampled),
+          std::move(touched),
           std::move(world),
           std::move(object),
           secondsSince(begin)};
 }
 
-SampledWorlds JointBelief::sampledWorlds(const std::vector<Explanation>& explanations) const {
-  const ExtentParameters& extent = parameters_.extent;
-  SampledWorlds sampled({contacts_, evidence_, explanations}, parameters_.feature, extent,
-                        frame_.planar(), parameters_.seed);
-  // In a plane it tells risks apart less well (docs/planning.md).
-  if (!frame_.planar()) {
-    sampled.weigh(HypothesisWeights(
-        weightsBySize(contacts_, explanations, surfaceSizes(extent.shortest, extent.world_longest),
-                      parameters_.distribution.world)));
+void JointBelief::forgetUnlikelyUnits(const std::array<int, kUnits>& counts) const {
+  for (auto known = at_unit_.begin(); known != at_unit_.end();) {
+    known = counts[known->first] == 0 ? at_unit_.erase(known) : std::next(known);
   }
+}
+
+// Geometric.
+double JointBelief::meanUnit(const std::array<int, kUnits>& counts) const {
+  double log_unit = 0.0;
+  for (int i = 0; i < kUnits; ++i) {
+    if (counts[i] > 0) log_unit += counts[i] * std::log(atUnit(i).unit());
+  }
+  return std::exp(log_unit / kHypotheses);
+}
+
+SampledWorlds JointBelief::sampledWorlds(const std::array<int, kUnits>& counts,
+                                         TouchedPlaces* touched) const {
+  std::vector<WorldsAtUnit> parts;
+  HypothesisWeights::Weights weights{};
+  int place = 0;
+  for (int i = 0; i < kUnits; ++i) {
+    if (counts[i] == 0) continue;
+    std::vector<int> members;
+    for (const int end = place + counts[i]; place < end; ++place) {
+      members.push_back(scattered(place));
+    }
+    const EvidenceAtUnit& evidence = atUnit(i);
+    const std::vector<Explanation> explanations = evidence.explain(members, parameters_.seed);
+    const HypothesisWeights::Weights likely = evidence.weightsOf(explanations);
+    for (const int m : members) {
+      weights[m] = likely[m];
+      evidence.tellPlaces(explanations[m], m, touched);
+    }
+    parts.push_back(worldsAt(evidence, explanations, members));
+  }
+  return SampledWorlds(std::move(parts), HypothesisWeights(weights));
+}
+
+WorldsAtUnit JointBelief::worldsAt(const EvidenceAtUnit& evidence,
+                                   const std::vector<Explanation>& explanations,
+                                   const std::vector<int>& members) const {
+  const JointBeliefParameters& lengths = evidence.parameters();
+  HypothesisMask mask = 0;
+  for (const int m : members) mask |= HypothesisMask{1} << m;
+  WorldsAtUnit worlds({evidence.contacts(), evidence.free(), explanations, mask}, lengths.feature,
+                      lengths.extent, frame_.planar(), parameters_.seed);
   for (const auto& [contact_id, touched] : poses_without_line_) {
     if (!touched) continue;
-    sampled.setTouching(touched->T_map_object.cast<float>(), parameters_.feature.reach);
+    worlds.setTouching(touched->T_map_object.cast<float>(), lengths.feature.reach);
   }
-  return sampled;
+  return worlds;
 }
 
 }  // namespace smore

@@ -2,6 +2,7 @@
 #include "smore/mapping/marginal_map.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace smore {
 namespace {
@@ -24,6 +25,8 @@ class MaskedVoxels {
   // The voxel that holds the ball's centre, and each whose own centre the ball holds.
   void addBall(const Vec3& center, double radius, HypothesisMask mask) {
     const double size = grid_->voxelSize();
+    constexpr double kVoxels = std::numeric_limits<std::int16_t>::max();
+    if (center.cwiseAbs().maxCoeff() + radius >= kVoxels * size) return;
     const VoxelKey key = voxelAt(center, size);
     add(key, mask);
     const VoxelKey low = voxelAt(center - Vec3::Constant(radius), size);
@@ -53,12 +56,14 @@ class MaskedVoxels {
 
 }  // namespace
 
-VoxelGrid marginalMap(const SampledWorlds& worlds, const std::vector<MaskedPoint>& matter,
-                      const Pose& T_grid_matter, double radius, double voxel_size) {
+VoxelGrid marginalMap(const SampledWorlds& worlds, MatterOfWorlds matter, const Pose& T_grid_matter,
+                      double voxel_size) {
   VoxelGrid grid(voxel_size);
   MaskedVoxels voxels(&grid);
-  for (const MaskedPoint& ball : matter) {
-    voxels.addBall(T_grid_matter * ball.point.cast<double>(), radius, ball.mask);
+  for (const WorldsAtUnit& part : worlds.parts()) {
+    for (const MaskedPoint& ball : (part.*matter)()) {
+      voxels.addBall(T_grid_matter * ball.point.cast<double>(), part.radius(), ball.mask);
+    }
   }
   voxels.store(worlds);
   return grid;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace smore {
@@ -11,12 +12,17 @@ namespace {
 // Between two checks no matter moves farther than this share of the distance at which two balls
 // touch, on each of the two ways to move it; it cannot pass through another unseen.
 constexpr double kCheckShare = 0.3;
-constexpr double kFinestCheck = 0.001;
 
 // Probability that one more world would touch: with Jeffreys' prior for a share, none in a number
 // of independent worlds is not yet never.
 double predictedShare(double share, double worlds) {
   return (worlds * share + 0.5) / (worlds + 1.0);
+}
+
+// Where there is no matter, any will do.
+double checkDistance(const SampledWorlds& worlds) {
+  const double touching = worlds.contactDistance();
+  return touching > 0.0 ? kCheckShare * touching : std::numeric_limits<double>::infinity();
 }
 
 double entropyTerm(double probability) {
@@ -27,7 +33,7 @@ double entropyTerm(double probability) {
 
 ContactRisk::ContactRisk(std::shared_ptr<const Worlds> worlds)
     : worlds_(std::move(worlds)),
-      check_distance_(std::max(kCheckShare * worlds_->sampled.contactDistance(), kFinestCheck)),
+      check_distance_(checkDistance(worlds_->sampled)),
       check_angle_(check_distance_ / worlds_->feature.reach) {}
 
 HypothesisMask ContactRisk::touching(const Pose& T_world_object) const {

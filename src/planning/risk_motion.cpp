@@ -13,7 +13,6 @@ namespace {
 // Checks are this share of the contact distance apart: matter near the lever's length cannot pass
 // through other matter between two of them.
 constexpr double kCheckShare = 0.3;
-constexpr double kCoarsestCheck = 0.05;
 
 // Rounds over a motion, each of every fourth of its poses: most bad motions show in the first.
 constexpr int kPasses = 4;
@@ -48,7 +47,7 @@ RiskState interpolate(const RiskState& a, const RiskState& b, float fraction) {
 RiskMotions::RiskMotions(const SampledWorlds& worlds, double lever, bool full_turns)
     : worlds_(&worlds), lever_(static_cast<float>(lever)), full_turns_(full_turns) {
   const double distance = worlds.contactDistance();
-  check_ = distance > 0.0 ? kCheckShare * distance : kCoarsestCheck;
+  check_ = distance > 0.0 ? kCheckShare * distance : std::numeric_limits<double>::infinity();
 }
 
 float RiskMotions::squaredDistance(const RiskState& a, const RiskState& b) const {

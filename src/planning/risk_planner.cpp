@@ -8,7 +8,7 @@
 
 #include "smore/common/parallel_for.h"
 #include "smore/planning/contact_risk.h"
-#include "smore/planning/free_tracks.h"
+#include "smore/planning/planted_tracks.h"
 #include "smore/planning/posture_paths.h"
 
 namespace smore {
@@ -20,14 +20,14 @@ constexpr std::array<double, 9> kRungs = {0.0, 0.04, 0.1, 0.2, 0.35, 0.5, 0.7, 0
 // Samples around nodes of the tree, half of them along one axis only: near ones and wider ones.
 constexpr double kNearShare = 0.2;
 constexpr double kLocalShare = 0.45;
-constexpr double kNear = 0.10;
-constexpr double kWide = 0.35;
-constexpr double kRadiansPerMetre = 2.5;  // of local samples: sweeping turns at short distances
+constexpr double kNear = 1.0;             // [units of length]
+constexpr double kWide = 3.5;             // [units of length]
+constexpr double kRadiansPerUnit = 0.25;  // of local samples: sweeping turns at short distances
 
 // A chain of steps towards the other tree is at most as long as a workspace is wide.
 constexpr int kLongestConnection = 60;
 
-constexpr double kMoveDistance = 0.05;  // of inner states of a path [m]
+constexpr double kMoveDistance = 0.5;  // of inner states of a path [units of length]
 
 // The best paths, which are improved once more.
 constexpr std::size_t kFinalists = 3;
@@ -39,9 +39,14 @@ void sortByValue(std::vector<RiskPath>* paths) {
 }  // namespace
 
 struct RiskPlanner::Search {
+  double unit;  ///< of length [m]; all other lengths are in metres
+  double step;  ///< longest edge of the trees
+  RiskObjective objective;
+  RiskSpace space;
   RiskMotions motions;
   RiskState start;
   RiskState goal;
+  std::shared_ptr<const Worlds> worlds;
   std::uint64_t seed;  ///< of this search
   CounterRandom random;
   Deadline deadline;
@@ -55,11 +60,10 @@ struct RiskPlanner::Trees {
 
 RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
                          const RiskPlannerParameters& parameters, std::uint64_t seed)
-    : belief_(&belief),
-      parameters_(parameters),
-      space_(space, belief.frame().T_map_world(), parameters.lever),
-      seed_(seed) {
-  if (!space_.planar()) parameters_.improvements = parameters.improvements_in_space;
+    : belief_(&belief), parameters_(parameters), space_(space), seed_(seed) {
+  if (space_.motion == Motion::kSpatial) {
+    parameters_.improvements = parameters.improvements_in_space;
+  }
 }
 
 Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
@@ -67,20 +71,28 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   if (worlds->resets != resets_) alternatives_.clear();
   resets_ = worlds->resets;
   const std::uint64_t seed = mixBits(seed_, calls_++);
-  Search search{RiskMotions(worlds->sampled, parameters_.lever, space_.fullTurns()),
-                space_.toState(start),
-                space_.toState(goal),
+  const double unit = worlds->unit;
+  const RiskObjective& objective = parameters_.objective;
+  const RiskSpace space(space_, worlds->frame.T_map_world(), parameters_.lever * unit);
+  Search search{unit,
+                parameters_.step * unit,
+                {objective.touch_cost * unit, objective.give * unit},
+                space,
+                RiskMotions(worlds->sampled, space.lever(), space.fullTurns()),
+                space.toState(start),
+                space.toState(goal),
+                worlds,
                 seed,
                 CounterRandom(seed),
                 Deadline(parameters_.time_limit)};
-  if (!space_.contains(search.start)) return Failure{"the start is outside of the workspace"};
-  if (!space_.contains(search.goal)) return Failure{"the goal is outside of the workspace"};
+  if (!space.contains(search.start)) return Failure{"the start is outside of the workspace"};
+  if (!space.contains(search.goal)) return Failure{"the goal is outside of the workspace"};
   std::vector<RiskPath> paths = climb(&search);
   if (paths.empty()) return Failure{"the planner's iterations were used up at every level of risk"};
-  if (!space_.planar()) searchFurther(search, &paths);
+  if (!space.planar()) searchFurther(search, &paths);
   sortByValue(&paths);
   Plan plan;
-  for (const RiskState& state : paths.front().states()) plan.path.push_back(space_.toPose(state));
+  for (const RiskState& state : paths.front().states()) plan.path.push_back(space.toPose(state));
   plan.path.front() = start;
   plan.path.back() = goal;
   plan.risk = ContactRisk(worlds).ofMotion(plan.path);
@@ -106,13 +118,13 @@ void RiskPlanner::addAlternatives(const Search& search, std::vector<RiskPath>* p
   for (std::vector<RiskState> states : alternatives_) {
     states.front() = search.start;
     states.back() = search.goal;
-    paths->emplace_back(search.motions, parameters_.objective, std::move(states));
+    paths->emplace_back(search.motions, search.objective, std::move(states));
   }
 }
 
 void RiskPlanner::addPostures(const Search& search, std::vector<RiskPath>* paths) const {
   if (search.deadline.passed()) return;
-  const PosturePaths postures(search.motions, space_, parameters_.objective);
+  const PosturePaths postures(search.motions, search.space, search.objective);
   for (RiskPath& path : postures.best(search.start, search.goal, parameters_.postures,
                                       parameters_.kept_postures, ~search.seed)) {
     paths->push_back(std::move(path));
@@ -123,7 +135,8 @@ void RiskPlanner::improve(const Search& search, int attempts, std::size_t first,
                           std::vector<RiskPath>* paths) const {
   parallelFor(last - first, [&](std::size_t i) {
     CounterRandom random(mixBits(search.seed, mixBits(attempts, i)));
-    (*paths)[first + i].improve(space_, attempts, kMoveDistance, search.deadline, &random);
+    (*paths)[first + i].improve(search.space, attempts, kMoveDistance * search.unit,
+                                search.deadline, &random);
   });
 }
 
@@ -145,9 +158,9 @@ std::vector<RiskPath> RiskPlanner::climb(Search* search) const {
       if (!paths.empty()) trees = plant(*search);
       auto states = connect(&trees, limit, search);
       if (!states) break;
-      paths.emplace_back(search->motions, parameters_.objective, std::move(*states));
-      paths.back().improve(space_, parameters_.improvements, kMoveDistance, search->deadline,
-                           &search->random);
+      paths.emplace_back(search->motions, search->objective, std::move(*states));
+      paths.back().improve(search->space, parameters_.improvements, kMoveDistance * search->unit,
+                           search->deadline, &search->random);
     }
     if (static_cast<int>(paths.size()) >= parameters_.paths) break;
   }
@@ -160,30 +173,32 @@ void RiskPlanner::keepEdges(const Trees& trees, Search* search) const {
     for (int node = 0; node < tree->size(); ++node) {
       const int parent = tree->parent(node);
       if (parent < 0) continue;
-      search->edges.push_back({space_.toPose(tree->state(parent)).translation(),
-                               space_.toPose(tree->state(node)).translation()});
+      search->edges.push_back({search->space.toPose(tree->state(parent)).translation(),
+                               search->space.toPose(tree->state(node)).translation()});
     }
   }
 }
 
 RiskPlanner::Trees RiskPlanner::plant(const Search& search) const {
-  Trees trees{RiskTree(search.motions, parameters_.step),
-              RiskTree(search.motions, parameters_.step)};
+  Trees trees{RiskTree(search.motions, search.step), RiskTree(search.motions, search.step)};
   trees.from_start.add(search.start, -1);
   trees.from_goal.add(search.goal, -1);
-  plantTracks(belief_->freeTracks(), space_, belief_->parameters().free_space, search.motions,
-              parameters_.step, &trees.from_start);
+  plantTracks(search.worlds->tracks, search.space, search.worlds->free.parameters(), search.motions,
+              search.step, &trees.from_start);
   return trees;
 }
 
-RiskState RiskPlanner::draw(const RiskTree& tree, CounterRandom* random) const {
+RiskState RiskPlanner::draw(const RiskTree& tree, Search* search) const {
+  CounterRandom* random = &search->random;
+  const RiskSpace& space = search->space;
   const double choice = random->uniform();
-  if (choice >= kLocalShare) return space_.sample(random);
+  if (choice >= kLocalShare) return space.sample(random);
   const RiskState& center = tree.state(random->index(tree.size()));
-  const double distance = choice < kNearShare ? kNear : kWide;
-  const double angle = kRadiansPerMetre * distance;
-  return random->uniform() < 0.5 ? space_.sampleAlongAxis(center, distance, angle, random)
-                                 : space_.sampleNear(center, distance, angle, random);
+  const double units = choice < kNearShare ? kNear : kWide;
+  const double distance = units * search->unit;
+  const double angle = units * kRadiansPerUnit;
+  return random->uniform() < 0.5 ? space.sampleAlongAxis(center, distance, angle, random)
+                                 : space.sampleNear(center, distance, angle, random);
 }
 
 std::optional<std::vector<RiskState>> RiskPlanner::connect(Trees* trees, int limit,
@@ -193,8 +208,8 @@ std::optional<std::vector<RiskState>> RiskPlanner::connect(Trees* trees, int lim
     if (limit < kHypotheses && search->deadline.passed()) return std::nullopt;
     RiskTree& grown = i % 2 == 0 ? trees->from_start : trees->from_goal;
     RiskTree& other = i % 2 == 0 ? trees->from_goal : trees->from_start;
-    const RiskState sample = draw(grown, &search->random);
-    if (!space_.contains(sample)) continue;
+    const RiskState sample = draw(grown, search);
+    if (!search->space.contains(sample)) continue;
     const RiskTree::Extension extension = grown.extend(sample, limit);
     if (extension.growth == RiskTree::Growth::kNone) continue;
     const RiskState target = grown.state(extension.node);

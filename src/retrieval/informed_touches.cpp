@@ -30,14 +30,14 @@ InformedTouches::InformedTouches(const JointBelief& belief, const MotionSpace& s
 Result<Path> InformedTouches::nextTouch(const Pose& from) {
   if (belief_->contactCount() == 0) return first_.nextTouch(from);
   const ContactRisk risk(belief_->worlds());
-  const FreeRoadmap roadmap(belief_->freeTracks(), from, risk.worlds().free.parameters());
+  const FreeRoadmap roadmap(risk.worlds().tracks, from, risk.worlds().free.parameters());
   int best_turn = 0;
   Pose best_end = from;
   information_ = 0.0;
   for (int i = 0; i < parameters_.probes; ++i) {
     const int turn = random_.index(static_cast<int>(roadmap.reachable().size()));
     const Pose& begin = roadmap.reachable()[turn];
-    const Pose end = drawEnd(begin, &random_);
+    const Pose end = drawEnd(begin, risk.worlds().unit, &random_);
     if (!space_.contains(end)) continue;
     const double information = risk.informationOf({begin, end});
     if (information <= information_) continue;
@@ -52,7 +52,7 @@ Result<Path> InformedTouches::nextTouch(const Pose& from) {
 }
 
 // A straight way and a turn about one axis, together of the probe's length.
-Pose InformedTouches::drawEnd(const Pose& from, CounterRandom* random) const {
+Pose InformedTouches::drawEnd(const Pose& from, double unit, CounterRandom* random) const {
   const double share = random->uniform();
   const double angle =
       random->symmetric() * (1.0 - share) * parameters_.probe_length / parameters_.lever;
@@ -64,7 +64,7 @@ Pose InformedTouches::drawEnd(const Pose& from, CounterRandom* random) const {
     axis = space_.T_world_plane.linear().col(2);
   }
   Pose end = from;
-  end.translation() += share * parameters_.probe_length * direction;
+  end.translation() += share * parameters_.probe_length * unit * direction;
   end.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix() * from.linear();
   return end;
 }

@@ -10,8 +10,9 @@
 namespace smore {
 namespace {
 
-constexpr Range kLength{1e-4, 10.0};    // [m]
-constexpr Range kExtent{0.0, 10.0};     // [m]; 0: none
+constexpr Range kLength{1e-3, 1e3};     // [units of length]
+constexpr Range kExtent{0.0, 1e3};      // [units of length]; 0: none
+constexpr Range kUnit{0.0, 10.0};       // of length [m]; 0: it is inferred
 constexpr Range kAngle{1e-4, 3.0};      // [rad]
 constexpr Range kWeight{0.01, 1e3};     // odds
 constexpr Range kStrength{0.0, 100.0};  // 0: off
@@ -43,6 +44,7 @@ ParameterSection beliefSection(JointBeliefParameters* belief) {
            {"temperatures", &distribution.temperatures, kSteps},
            {"least_share", &distribution.least_share, kShare},
            {"sweeps", &distribution.sweeps, kSweeps},
+           {"unit", &belief->unit, kUnit},
            {"most_contacts", &belief->most_contacts, kContacts},
            {"shortest_patch", &belief->extent.shortest, kLength},
            {"object_patch", &belief->extent.object_longest, kLength},
@@ -61,7 +63,7 @@ ParameterSection plannerSection(RiskPlannerParameters* planner) {
            {"time_limit", &planner->time_limit, kSeconds},
            {"step", &planner->step, kLength},
            {"lever", &planner->lever, kLength},
-           {"touch_cost", &planner->objective.touch_cost, kStrength},
+           {"touch_cost", &planner->objective.touch_cost, kLength},
            {"give", &planner->objective.give, kLength}}};
 }
 

@@ -35,6 +35,7 @@ inline ContactObservation contactAt(const Pose& pose, const Vec3& place, const V
 
 inline JointBeliefParameters planarParameters() {
   JointBeliefParameters parameters;
+  parameters.unit = 0.1;
   parameters.T_world_plane = Pose::Identity();
   return parameters;
 }

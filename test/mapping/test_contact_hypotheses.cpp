@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "at_a_decimetre.h"
 #include "smore/mapping/contact_hypotheses.h"
 
 namespace smore {
@@ -42,7 +43,7 @@ Moments displacement(const ContactHypotheses& contact, const LineOfAction& line,
 }
 
 TEST(ContactHypotheses, LieOnAnExactLine) {
-  const FeatureParameters parameters;
+  const FeatureParameters parameters = atADecimetre().feature;
   const LineOfAction line = lineAlong({1, 2, 0}, {0.1, 0, 0});
   const auto contact = contactHypotheses(makePose({0.3, 0, 0}), line, parameters, true);
   ASSERT_TRUE(contact);
@@ -60,7 +61,7 @@ TEST(ContactHypotheses, LieOnAnExactLine) {
 
 // The line is turned by less than a tenth of a radian, so that sines are angles to half a percent.
 TEST(ContactHypotheses, ScatterAsTheLineStates) {
-  const FeatureParameters parameters;
+  const FeatureParameters parameters = atADecimetre().feature;
   LineOfAction line = lineAlong({1, 0.5, 0}, {0.0, 0.1, 0});
   line.offset_stddev = 0.02;
   line.direction_stddev = 0.08;
@@ -78,7 +79,7 @@ TEST(ContactHypotheses, ScatterAsTheLineStates) {
 }
 
 TEST(ContactHypotheses, APitchIsAnErrorOfTheOffset) {
-  const FeatureParameters parameters;
+  const FeatureParameters parameters = atADecimetre().feature;
   LineOfAction stated = lineAlong({1, 0, 0}, {0, 0.1, 0});
   LineOfAction pitched = stated;
   stated.offset_stddev = 0.03;
@@ -91,7 +92,7 @@ TEST(ContactHypotheses, APitchIsAnErrorOfTheOffset) {
 
 // However fast touches grow rarer with the distance: the nearest places are left.
 TEST(ContactHypotheses, AreNormalisedWhereTheirWeightsAreTooSmallForNumbers) {
-  FeatureParameters parameters;
+  FeatureParameters parameters = atADecimetre().feature;
   parameters.decay = 1e-4;
   const auto contact =
       contactHypotheses(Pose::Identity(), lineAlong({1, 0, 0}, {0, 0.3, 0}), parameters, false);
@@ -121,7 +122,8 @@ TEST(ContactHypotheses, AreNoneForNumbersThatAreNotFinite) {
 }
 
 TEST(ContactHypotheses, ALineOutOfReachSaysNothing) {
-  EXPECT_FALSE(contactHypotheses(Pose::Identity(), lineAlong({1, 0, 0}, {0, 0.7, 0}), {}, true));
+  EXPECT_FALSE(contactHypotheses(Pose::Identity(), lineAlong({1, 0, 0}, {0, 0.7, 0}),
+                                 atADecimetre().feature, true));
 }
 
 }  // namespace

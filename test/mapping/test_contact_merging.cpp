@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "at_a_decimetre.h"
 #include "contact_at.h"
 #include "smore/mapping/contact_merging.h"
 #include "smore/mapping/free_space_evidence.h"
@@ -15,25 +16,26 @@ const std::vector<ContactHypotheses> kContacts = {
 TEST(CoveredContacts, AreThoseWhoseBothSidesOthersTouchedToo) {
   const std::vector<Explanation> explanations = {{0, 0, 0, 0}};
   // Contact 0 and 2 cover each other; once one of them is gone nothing covers the other.
-  const auto covered = coveredContacts(kContacts, explanations, {}, 1);
+  const auto covered = coveredContacts(kContacts, explanations, atADecimetre().distribution, 1);
   ASSERT_EQ(covered.size(), 1U);
   EXPECT_TRUE(covered[0] == 0 || covered[0] == 2);
 }
 
 TEST(CoveredContacts, AFalseContactGoesFirst) {
-  const auto covered = coveredContacts(kContacts, {{0, kFalseContact, 0, 0}}, {}, 2);
+  const auto covered =
+      coveredContacts(kContacts, {{0, kFalseContact, 0, 0}}, atADecimetre().distribution, 2);
   ASSERT_EQ(covered.size(), 2U);
   EXPECT_EQ(covered[0], 1);
 }
 
 TEST(CoveredContacts, AreAtMostAll) {
-  EXPECT_EQ(coveredContacts(kContacts, {{0, 0, 0, 0}}, {}, 9).size(), 4U);
+  EXPECT_EQ(coveredContacts(kContacts, {{0, 0, 0, 0}}, atADecimetre().distribution, 9).size(), 4U);
 }
 
 TEST(FreeSpaceEvidence, ARemovedContactLeavesNoTrace) {
   const double distance = 0.04;
-  FreeSpaceEvidence removed({}, distance);
-  FreeSpaceEvidence never({}, distance);
+  FreeSpaceEvidence removed(atADecimetre().free_space, distance);
+  FreeSpaceEvidence never(atADecimetre().free_space, distance);
   for (int k = 0; k < 4; ++k) {
     removed.insertContact(k, kContacts[k]);
     if (k != 1) never.insertContact(k < 1 ? k : k - 1, kContacts[k]);

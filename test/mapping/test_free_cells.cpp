@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "at_a_decimetre.h"
 #include "smore/mapping/free_cells.h"
 
 namespace smore {
@@ -16,7 +17,7 @@ Pose randomPose(std::mt19937* engine) {
 }
 
 TEST(FreeCells, KnowThePosesOfTheirCellsByTheirCentres) {
-  const FreeSpaceParameters parameters;
+  const FreeSpaceParameters parameters = atADecimetre().free_space;
   std::mt19937 engine(2);
   for (int i = 0; i < 500; ++i) {
     FreeCells cells(parameters);
@@ -35,7 +36,7 @@ TEST(FreeCells, KnowThePosesOfTheirCellsByTheirCentres) {
 }
 
 TEST(FreeCells, TellApartWhatIsACellApart) {
-  const FreeSpaceParameters parameters;
+  const FreeSpaceParameters parameters = atADecimetre().free_space;
   FreeCells cells(parameters);
   cells.add(Pose::Identity());
   EXPECT_TRUE(cells.add(makePose({parameters.position_cell, 0, 0})));

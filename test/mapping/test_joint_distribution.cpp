@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "at_a_decimetre.h"
 #include "smore/mapping/counter_random.h"
 #include "smore/mapping/joint_distribution.h"
 
@@ -17,7 +18,7 @@ constexpr int kContacts = 4;
 // A small world: few contacts with few places each, so that all explanations can be listed.
 struct SmallCase {
   std::vector<ContactHypotheses> contacts;
-  FreeSpaceEvidence evidence{FreeSpaceParameters{}, FeatureParameters{}.conflictDistance()};
+  FreeSpaceEvidence evidence{atADecimetre().free_space, atADecimetre().feature.conflictDistance()};
 };
 
 Vec3 randomPoint(double span, std::mt19937* random) {
@@ -91,7 +92,7 @@ std::vector<double> sampledMarginals(const JointDistribution& distribution, int 
 
 TEST(JointDistribution, SamplesAgreeWithEnumeration) {
   constexpr int kSamples = 2000;
-  DistributionParameters parameters;
+  DistributionParameters parameters = atADecimetre().distribution;
   parameters.conflict_cost = 2.0;  // low walls between explanations, so that 20 sweeps mix
   parameters.sweeps = 20;
   for (unsigned seed = 1; seed <= 5; ++seed) {
@@ -122,7 +123,8 @@ TEST(JointDistribution, LogLossOf64SamplesIsNearTheExactPosteriors) {
   std::mt19937 random(3);
   for (unsigned seed = 1; seed <= 50; ++seed) {
     const auto small = randomCase(100 + seed, 20 - kContacts);
-    const JointDistribution distribution(small->contacts, small->evidence, {});
+    const JointDistribution distribution(small->contacts, small->evidence,
+                                         atADecimetre().distribution);
     const Enumeration exact = enumerate(distribution);
     const std::vector<double> sampled = sampledMarginals(distribution, 64);
     std::discrete_distribution<int> draw(exact.probabilities.begin(), exact.probabilities.end());
@@ -166,7 +168,7 @@ TEST(JointDistribution, ConflictsMakeAnExplanationLessLikelyByTheirCost) {
   // At this pose the first contact's own balls at place 0 coincide.
   const Eigen::Vector3f shift = with->contacts[0].world.at(0) - with->contacts[0].object.at(0);
   with->evidence.addPose(makePose(shift.cast<double>()));
-  const DistributionParameters parameters;
+  const DistributionParameters parameters = atADecimetre().distribution;
   const Explanation own = {0, kFalseContact, kFalseContact, kFalseContact};
   const double before =
       JointDistribution(without->contacts, without->evidence, parameters).logDensity(own);
@@ -185,8 +187,11 @@ TEST(JointDistribution, TheOrderOfContactsDoesNotChangeASample) {
   std::mt19937 random(9);
   for (int i = 0; i < 6; ++i)
     reversed.evidence.addPose(Pose(small->evidence.poses()[i].cast<double>()));
-  auto forward = JointDistribution(small->contacts, small->evidence, {}).sample(20, 1);
-  const auto backward = JointDistribution(reversed.contacts, reversed.evidence, {}).sample(20, 1);
+  auto forward = JointDistribution(small->contacts, small->evidence, atADecimetre().distribution)
+                     .sample(20, 1);
+  const auto backward =
+      JointDistribution(reversed.contacts, reversed.evidence, atADecimetre().distribution)
+          .sample(20, 1);
   for (std::size_t m = 0; m < forward.size(); ++m) {
     std::reverse(forward[m].begin(), forward[m].end());
     EXPECT_EQ(forward[m], backward[m]);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "at_a_decimetre.h"
 #include "contact_at.h"
 #include "smore/mapping/surface_extents.h"
 
@@ -13,8 +14,9 @@ namespace {
 // Two touches of the object 30 cm apart; what a third touched in the world lay at `obstacle` when
 // the object was free. Whether matter joins the two.
 bool joinsPastAnObstacleAt(const Vec3& obstacle) {
-  const FeatureParameters feature;
-  FreeSpaceEvidence evidence({}, feature.conflictDistance());
+  const JointBeliefParameters lengths = atADecimetre();
+  const FeatureParameters& feature = lengths.feature;
+  FreeSpaceEvidence evidence(lengths.free_space, feature.conflictDistance());
   evidence.addPose(Pose::Identity());
   const Vec3 left(-0.15, 0.0, 0.03);
   const Vec3 right(0.15, 0.0, 0.03);
@@ -22,13 +24,14 @@ bool joinsPastAnObstacleAt(const Vec3& obstacle) {
   const std::vector<ContactHypotheses> contacts = {
       contactAt(left, far, 1), contactAt(right, far, 2), contactAt(left, obstacle, 3)};
   const std::vector<Explanation> explanations(kHypotheses, Explanation(contacts.size(), 0));
-  const SurfaceExtents surfaces({contacts, evidence, explanations}, feature, {}, false, 1);
+  const SurfaceExtents surfaces({contacts, evidence, explanations, ~HypothesisMask{0}}, feature,
+                                lengths.extent, false, 1);
   return std::any_of(surfaces.object().begin(), surfaces.object().end(),
                      [](const MaskedPoint& ball) { return std::abs(ball.point.x()) < 0.1F; });
 }
 
 TEST(SurfaceExtents, JoinTouchesInSpaceUnlessFreeSpaceSpeaksAgainstIt) {
-  const double distance = FeatureParameters().conflictDistance();
+  const double distance = atADecimetre().feature.conflictDistance();
   EXPECT_FALSE(joinsPastAnObstacleAt({0.0, 0.0, 0.03}));
   EXPECT_FALSE(joinsPastAnObstacleAt({0.0, 0.5 * distance, 0.03})) << "beside all touches";
   EXPECT_FALSE(joinsPastAnObstacleAt({0.0, 0.0, 0.03 - 0.5 * distance})) << "below all touches";

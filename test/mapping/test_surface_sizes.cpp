@@ -4,12 +4,13 @@
 #include <numeric>
 #include <random>
 
+#include "at_a_decimetre.h"
 #include "smore/mapping/surface_sizes.h"
 
 namespace smore {
 namespace {
 
-const AttractionParameters kAttraction = DistributionParameters().world;
+const AttractionParameters kAttraction = atADecimetre().distribution.world;
 
 std::array<double, kHypotheses> sizes() { return surfaceSizes(0.02, 0.6); }
 

@@ -14,6 +14,7 @@ namespace {
 // A belief with a few contacts in random directions, in the plane or in space.
 JointBelief randomBelief(bool planar, unsigned seed) {
   JointBeliefParameters parameters;
+  parameters.unit = 0.1;
   if (planar) parameters.T_world_plane = Pose::Identity();
   parameters.seed = seed;
   JointBelief belief(parameters);
@@ -36,13 +37,20 @@ JointBelief randomBelief(bool planar, unsigned seed) {
   return belief;
 }
 
+JointBelief emptyBelief() {
+  JointBeliefParameters parameters;
+  parameters.unit = 0.1;
+  return JointBelief(parameters);
+}
+
 // Worlds in which two balls' centres are nearer than `distance`, by looking at all pairs.
 HypothesisMask bruteForce(const SampledWorlds& worlds, const Pose& pose, double distance) {
   const Eigen::Isometry3f T = pose.cast<float>();
   HypothesisMask mask = 0;
-  for (const MaskedPoint& on_object : worlds.object()) {
+  const WorldsAtUnit& at_unit = worlds.parts().front();
+  for (const MaskedPoint& on_object : at_unit.object()) {
     const Eigen::Vector3f place = T * on_object.point;
-    for (const MaskedPoint& in_world : worlds.world()) {
+    for (const MaskedPoint& in_world : at_unit.world()) {
       if ((place - in_world.point).squaredNorm() < distance * distance) {
         mask |= on_object.mask & in_world.mask;
       }
@@ -97,6 +105,7 @@ TEST(ContactRisk, AlongAPathIsTheUnionOverItsPosesNotTheirSum) {
 TEST(ContactRisk, InThePlaneDoesNotFallWithTheHeightAboveIt) {
   const Pose T_world_plane = makePose({0.1, 0.2, 0.3}, {0.4, 0.2, 0.1});
   JointBeliefParameters parameters;
+  parameters.unit = 0.1;
   parameters.T_world_plane = T_world_plane;
   for (const Pose& off : {Pose(Pose::Identity()), makePose({0, 0, 0.008}),
                           makePose({0, 0, -0.02}, {0.05, -0.03, 0})}) {
@@ -112,16 +121,15 @@ TEST(ContactRisk, InThePlaneDoesNotFallWithTheHeightAboveIt) {
     observation.line = LineOfAction{Vec3::Zero(), -Vec3::UnitX(), 6.0};
     belief.observe(observation);
     const ContactRisk risk(belief.worlds());
-    const Pose on = T_world_plane * makePose({0.3 + 2.0 * parameters.feature.tolerance, 0, 0});
+    const Pose on = T_world_plane * makePose({0.3 + 2.0 * risk.worlds().feature.tolerance, 0, 0});
     EXPECT_GT(risk.atPose(on * off), 0.9);
     EXPECT_GT(risk.atPose(on), 0.9);
-    EXPECT_TRUE(
-        belief.freeSpace().cells().knows(belief.toMap(T_world_plane * makePose({0.25, 0, 0}))));
+    EXPECT_TRUE(risk.worlds().free.knows(belief.toMap(T_world_plane * makePose({0.25, 0, 0}))));
   }
 }
 
 TEST(ContactRisk, NothingKnownIsNoRisk) {
-  const JointBelief belief{JointBeliefParameters{}};
+  const JointBelief belief = emptyBelief();
   const ContactRisk risk(belief.worlds());
   EXPECT_EQ(risk.atPose(Pose::Identity()), 0.0);
   EXPECT_EQ(risk.along({makePose({0, 0, 0}), makePose({1, 0, 0})}), 0.0);
@@ -130,8 +138,8 @@ TEST(ContactRisk, NothingKnownIsNoRisk) {
 // As many new cells as there are known ones: whether the next surprise comes before or after is
 // even, whatever the scale.
 TEST(ContactRisk, OfAMotionFallsWithWhatIsKnownToBeFree) {
-  JointBelief belief{JointBeliefParameters{}};
-  const double cell = belief.freeSpace().cells().parameters().position_cell;
+  JointBelief belief = emptyBelief();
+  const double cell = belief.worlds()->free.parameters().position_cell;
   ContactObservation free;
   free.state = ContactState::kFree;
   constexpr int kCells = 40;
@@ -153,8 +161,9 @@ TEST(ContactRisk, OfAMotionFallsWithWhatIsKnownToBeFree) {
 TEST(ContactRisk, InformationIsTheEntropyOfWhereEachWorldTouchesFirst) {
   JointBelief belief = randomBelief(true, 2);
   const Path path = {makePose({-0.3, 0, 0}), makePose({0.3, 0.1, 0})};
-  const FreeSpaceParameters cell = belief.freeSpace().cells().parameters();
-  const Path poses = densify(path, cell.position_cell, cell.angle_cell);
+  const FreeSpaceParameters cell = belief.worlds()->free.parameters();
+  Path poses = densify(path, 0.5 * cell.position_cell, cell.angle_cell);
+  for (Pose& pose : poses) pose = FreeCells(kPoseAccuracy).centerOf(pose);
   ContactObservation free;
   free.state = ContactState::kFree;
   // Known to be free but for the half that the worlds are asked about.
@@ -182,10 +191,10 @@ TEST(ContactRisk, InformationIsTheEntropyOfWhereEachWorldTouchesFirst) {
 // Where nothing is known the outcome is whether something unknown is touched, and with which place
 // of the object's surface: with the probability of ofMotion, but for the worlds that it counts too.
 TEST(ContactRisk, InformationAndRiskKnowOfOneSurprise) {
-  JointBelief belief{JointBeliefParameters{}};
+  JointBelief belief = emptyBelief();
   ContactObservation free;
   free.state = ContactState::kFree;
-  const double cell = belief.freeSpace().cells().parameters().position_cell;
+  const double cell = belief.worlds()->free.parameters().position_cell;
   for (int i = 0; i < 40; ++i) {
     free.T_world_object = makePose({i * cell, 0, 0});
     belief.observe(free);

@@ -6,6 +6,8 @@
 namespace smore {
 namespace {
 
+constexpr FreeSpaceParameters kCells = {0.008, 0.02};  // [m], [rad]
+
 Pose at(double x, double y) { return makePose(Vec3(x, y, 0.0)); }
 
 double lengthTo(const FreeRoadmap& roadmap, const Pose& pose) {
@@ -22,7 +24,7 @@ double lengthTo(const FreeRoadmap& roadmap, const Pose& pose) {
 TEST(FreeRoadmap, goesAlongTheTracksAndChangesWhereTheyCross) {
   const std::vector<Path> tracks = {{at(0, 0), at(0.1, 0), at(0.2, 0)},
                                     {at(0.1, 0.005), at(0.1, 0.1)}};
-  const FreeRoadmap roadmap(tracks, at(0, 0), {});
+  const FreeRoadmap roadmap(tracks, at(0, 0), kCells);
   EXPECT_NEAR(lengthTo(roadmap, at(0.2, 0)), 0.2, 1e-12);
   EXPECT_NEAR(lengthTo(roadmap, at(0.1, 0.1)), 0.1 + 0.005 + 0.095, 1e-12);
 }
@@ -30,18 +32,18 @@ TEST(FreeRoadmap, goesAlongTheTracksAndChangesWhereTheyCross) {
 TEST(FreeRoadmap, takesTheShorterOfTwoWays) {
   const std::vector<Path> tracks = {{at(0, 0), at(0, 0.3), at(0.4, 0.3), at(0.4, 0)},
                                     {at(0, 0), at(0.2, 0.1), at(0.4, 0)}};
-  const FreeRoadmap roadmap(tracks, at(0, 0), {});
+  const FreeRoadmap roadmap(tracks, at(0, 0), kCells);
   EXPECT_NEAR(lengthTo(roadmap, at(0.4, 0)), 2.0 * std::hypot(0.2, 0.1), 1e-12);
 }
 
 TEST(FreeRoadmap, leavesOutWhatNoFreeMotionLeadsTo) {
   const std::vector<Path> tracks = {{at(0, 0), at(0.1, 0)}, {at(0.1, 0.02), at(0.1, 0.1)}};
-  const FreeRoadmap roadmap(tracks, at(0, 0), {});
+  const FreeRoadmap roadmap(tracks, at(0, 0), kCells);
   EXPECT_EQ(lengthTo(roadmap, at(0.1, 0.1)), -1.0);
 }
 
 TEST(FreeRoadmap, beginsWhereTheObjectIsWhateverIsKnown) {
-  const FreeRoadmap roadmap({}, at(0.3, 0.2), {});
+  const FreeRoadmap roadmap({}, at(0.3, 0.2), kCells);
   ASSERT_EQ(roadmap.reachable().size(), 1u);
   EXPECT_EQ(roadmap.routeTo(0).size(), 1u);
 }

@@ -12,6 +12,8 @@ namespace {
 const Pose kStart = makePose({0, 0, 0});
 const Pose kGoal = makePose({-1, 0, 0});
 
+constexpr double kUnit = 0.1;  // of length [m]
+
 MotionSpace spaceOf(Motion motion) {
   const double z = motion == Motion::kPlanar ? 0.01 : 0.4;
   return {motion, kStart, {Vec3(-1.3, -0.7, -z), Vec3(0.4, 0.7, z)}};
@@ -19,6 +21,7 @@ MotionSpace spaceOf(Motion motion) {
 
 JointBelief emptyBelief(Motion motion) {
   JointBeliefParameters parameters;
+  parameters.unit = kUnit;
   if (motion == Motion::kPlanar) parameters.T_world_plane = kStart;
   return JointBelief(parameters);
 }
@@ -71,20 +74,21 @@ TEST_P(RiskPlannerIn, DoesNotRepeatAContact) {
 TEST_P(RiskPlannerIn, ImprovesAPathByItsOwnMeasure) {
   JointBelief belief = emptyBelief(GetParam());
   block(0.3, &belief);
-  const RiskPlannerParameters parameters;
-  const RiskSpace space(spaceOf(GetParam()), Pose::Identity(), parameters.lever);
+  constexpr double kLever = 3.0 * kUnit;
+  const RiskObjective objective = {200.0 * kUnit, 0.2 * kUnit};
+  const RiskSpace space(spaceOf(GetParam()), Pose::Identity(), kLever);
   const std::shared_ptr<const Worlds> worlds = belief.worlds();
-  const RiskMotions motions(worlds->sampled, parameters.lever);
+  const RiskMotions motions(worlds->sampled, kLever);
   std::vector<RiskState> states;
   for (const double y : {0.0, 0.2, -0.3, 0.1, 0.3, 0.0}) {
     states.push_back(space.toState(makePose({-0.2 * static_cast<double>(states.size()), y, 0})));
   }
-  RiskPath path(motions, parameters.objective, states);
+  RiskPath path(motions, objective, states);
   const double before = path.value();
   CounterRandom random(3);
   path.improve(space, 40, 0.05, Deadline(60.0), &random);
   EXPECT_LT(path.value(), before);
-  const RiskPath anew(motions, parameters.objective, path.states());
+  const RiskPath anew(motions, objective, path.states());
   EXPECT_NEAR(path.value(), anew.value(), 1e-4);
 }
 

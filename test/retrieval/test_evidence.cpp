@@ -135,7 +135,7 @@ TEST_P(EvidenceFile, makesTheSameMapsBitByBit) {
 }
 
 TEST_P(EvidenceFile, tellsTaskMotionsAndOutcome) {
-  source_.parameters.belief.feature.radius = 0.0213;
+  source_.parameters.belief.feature.radius = 0.213;
   source_.parameters.planner.iterations = 77;
   const auto observations = randomObservations(4, 300);
   const Evidence evidence = readEvidence(record(observations));
@@ -146,7 +146,7 @@ TEST_P(EvidenceFile, tellsTaskMotionsAndOutcome) {
   EXPECT_EQ(evidence.source.task.voxel_size, 0.04);
   EXPECT_EQ(evidence.source.task.wrench_noise.force_stddev, 0.1);
   if (GetParam() == MethodKind::kSmore) {
-    EXPECT_EQ(evidence.source.parameters.belief.feature.radius, 0.0213);
+    EXPECT_EQ(evidence.source.parameters.belief.feature.radius, 0.213);
     EXPECT_EQ(evidence.source.parameters.planner.iterations, 77);
   }
   ASSERT_EQ(evidence.motions.size(), 2u);

@@ -16,6 +16,7 @@ MotionSpace space() {
 // The object moved 20 cm along x without touching, and was stopped by something head on.
 JointBelief touchedOnce() {
   JointBeliefParameters parameters;
+  parameters.unit = 0.1;
   parameters.T_world_plane = Pose::Identity();
   JointBelief belief(parameters);
   ContactObservation observation;
@@ -39,7 +40,7 @@ TEST(InformedTouches, goAlongFreePosesAndThenOnWithinTheWorkspace) {
     ASSERT_GE(path.size(), 2u);
     EXPECT_TRUE(path.front().isApprox(Pose::Identity()));
     for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-      EXPECT_TRUE(belief.freeSpace().cells().knows(path[k]));
+      EXPECT_TRUE(belief.worlds()->free.knows(path[k]));
     }
     EXPECT_TRUE(space().contains(path.back()));
   }
@@ -65,6 +66,7 @@ TEST(InformedTouches, endWhereNothingTellsEnough) {
 
 TEST(InformedTouches, repeatForASeedAndBeginAtRandom) {
   JointBeliefParameters parameters;
+  parameters.unit = 0.1;
   parameters.T_world_plane = Pose::Identity();
   const JointBelief nothing(parameters);
   const JointBelief belief = touchedOnce();

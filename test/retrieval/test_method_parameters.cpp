@@ -33,8 +33,8 @@ class MethodParametersFile : public testing::Test {
 
 TEST_F(MethodParametersFile, ChangesWhatItNamesAndKeepsTheRest) {
   const auto parameters =
-      load("belief: {radius: 0.03, sweeps: 7}\nplanner: {touch_cost: 5, iterations: 10}");
-  EXPECT_EQ(parameters.belief.feature.radius, 0.03);
+      load("belief: {radius: 0.3, sweeps: 7}\nplanner: {touch_cost: 5, iterations: 10}");
+  EXPECT_EQ(parameters.belief.feature.radius, 0.3);
   EXPECT_EQ(parameters.belief.distribution.sweeps, 7);
   EXPECT_EQ(parameters.planner.objective.touch_cost, 5.0);
   EXPECT_EQ(parameters.planner.iterations, 10);
@@ -59,7 +59,7 @@ TEST_F(MethodParametersFile, RefusesBallsThatNeverContradictEachOther) {
 TEST_F(MethodParametersFile, RefusesALargestPatchBelowTheSmallest) {
   EXPECT_NE(errorsOf("belief: {world_patch: 0.01}").find("belief.shortest_patch"),
             std::string::npos);
-  EXPECT_EQ(load("belief: {world_patch: 0.02}").belief.extent.world_longest, 0.02);
+  EXPECT_EQ(load("belief: {world_patch: 0.2}").belief.extent.world_longest, 0.2);
 }
 
 TEST_F(MethodParametersFile, DefaultsLieInTheirRanges) {

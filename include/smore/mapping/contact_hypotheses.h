@@ -7,6 +7,7 @@
 
 #include "smore/common/geometry.h"
 #include "smore/contact/line_of_action.h"
+#include "smore/mapping/unit_of_length.h"
 
 namespace smore {
 
@@ -15,15 +16,15 @@ constexpr int kCandidates = 256;
 
 /// What a contact is assumed to be: two balls of one radius that touch, one on the object, one on
 /// the world, with their common normal on the line of action. Any two such balls stand for matter,
-/// so they may never overlap.
+/// so they may never overlap. Lengths are in one unit: in metres where they are used, by default in
+/// units of length (unitOfLength).
 struct FeatureParameters {
-  double radius = 0.025;  ///< of the balls [m]: how deep matter is claimed behind a touched surface
-  double tolerance = 0.008;  ///< overlap of two balls that is still no contradiction [m]
-  double reach = 0.6;  ///< largest distance of touched matter from the object frame's origin [m]
-  double decay =
-      0.7;  ///< touches grow rarer with the distance r from the origin as exp(-r/decay) [m]
+  double radius = 0.25;     ///< of the balls: how deep matter is claimed behind a touched surface
+  double tolerance = 0.08;  ///< overlap of two balls that is still no contradiction
+  double reach = 6.0;       ///< largest distance of touched matter from the object frame's origin
+  double decay = 7.0;  ///< touches grow rarer with the distance r from the origin as exp(-r/decay)
 
-  /// Balls whose centres are nearer than this contradict each other [m].
+  /// Balls whose centres are nearer than this contradict each other.
   double conflictDistance() const { return 2.0 * radius - tolerance; }
 };
 
@@ -48,6 +49,7 @@ struct ContactHypotheses {
   PointArray object_normal;                    ///< unit, into the object, in the object frame
   PointArray world_normal;                     ///< the same in the map frame
   std::uint64_t id = 0;  ///< hash of what was observed: equal observations have equal ones
+  LeverOfContact lever;  ///< of the line, in planar motion in the plane
 };
 
 /// The places of a contact at `T_map_object` with the line `line` in the object frame: half of

@@ -11,8 +11,8 @@
 namespace smore {
 
 struct FreeSpaceParameters {
-  double position_cell = 0.008;  ///< poses in one cell of this size ... [m]
-  double angle_cell = 0.02;      ///< ... and this one count once [rad]
+  double position_cell = 0.08;  ///< poses in one cell of this size, in units of length ...
+  double angle_cell = 0.02;     ///< ... and this one count once [rad]
 };
 
 /// The poses that were free, to the accuracy of a lattice of positions and rotation vectors: one

@@ -1,36 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <unordered_set>
 #include <vector>
 
-#include "smore/mapping/contact_hypotheses.h"
-#include "smore/mapping/free_space_evidence.h"
-#include "smore/mapping/joint_distribution.h"
+#include "smore/mapping/evidence_at_unit.h"
 #include "smore/mapping/twin_map.h"
 #include "smore/mapping/worlds.h"
 
 namespace smore {
-
-struct JointBeliefParameters {
-  double voxel_size = 0.03;  ///< of the published maps [m], positive
-  /// The plane of planar motion (its x-y plane), in which every body counts as a prism; nothing for
-  /// motion in space.
-  std::optional<Pose> T_world_plane;
-  std::uint64_t seed = 1;
-  /// Where there are more contacts, a tenth of them is merged: those that the others say as well in
-  /// all worlds are left out of the inference. At least 10.
-  int most_contacts = 100;
-  FeatureParameters feature;
-  FreeSpaceParameters free_space;
-  DistributionParameters distribution;
-  ExtentParameters extent;
-};
 
 /// A pose of the object in the map frame, and when it was there [s].
 struct StampedPose {
@@ -38,11 +21,19 @@ struct StampedPose {
   Pose T_map_object = Pose::Identity();
 };
 
+/// Poses are kept to this accuracy [m], [rad]: a quarter of the smallest unit of length, and a turn
+/// that moves what touches less. A choice: a sixth of it is how exactly a UR5e repeats a pose.
+constexpr FreeSpaceParameters kPoseAccuracy = {0.0005, 0.005};
+
 /// A belief that keeps all its evidence: where on each line each contact was, inferred jointly over
 /// all contacts and all free poses, as 64 worlds: equally likely ones in planar motion, in space
 /// weighed by the sizes of their surfaces. Both maps are their marginals.
 ///
-/// The same set of observations gives the same belief, to the last bit, in any order, as long as no
+/// The belief knows no size: each world has a unit of length of its own, drawn from what the
+/// contacts say (unitProbabilities), of which all that is assumed of matter is a multiple. Where
+/// all that is observed is scaled alike, so are the worlds.
+///
+/// The same set of observations gives the same worlds, to the last bit, in any order, as long as no
 /// contacts are merged, and much the same at any rate of free samples that is fine against the
 /// cells of FreeSpaceParameters.
 ///
@@ -53,7 +44,7 @@ class JointBelief : public TwinMap {
   explicit JointBelief(const JointBeliefParameters& parameters);
 
   /// An observation at a pose that is not finite is left out. std::out_of_range, and nothing else
-  /// has changed, where matter that it may speak of is out of the range of voxel keys.
+  /// has changed, where the pose is out of the range of voxel keys.
   void observe(const ContactObservation& observation) override;
   /// Both maps: valid until the next observation. See worlds().
   const VoxelGrid& world() const override { return worlds()->world; }
@@ -80,39 +71,41 @@ class JointBelief : public TwinMap {
   Pose toMap(const Pose& T_world_object) const { return frame_.toMap(T_world_object); }
   const MapFrame& frame() const { return frame_; }
 
-  /// Motions that were free, in the order in which they were made [T_world_object].
-  const std::vector<Path>& freeTracks() const { return tracks_; }
-
-  const FreeSpaceEvidence& freeSpace() const { return evidence_; }
-
   /// Contacts observed so far, those that were merged included.
-  std::size_t contactCount() const { return known_contacts_.size(); }
+  std::size_t contactCount() const { return levers_.size(); }
   const JointBeliefParameters& parameters() const { return parameters_; }
 
  private:
-  void requireInsideOfMaps(const Pose& T_world_object) const;
   void change();
   void addFree(const Pose& T_world_object);
   void noteContact(const ContactObservation& observation);
   bool addContact(const Pose& T_world_object, const LineOfAction& line);
   void mergeContacts();
-  void extendTrack(const Pose& T_world_object);
+  std::array<int, kUnits> worldsByUnit() const;
+  EvidenceAtUnit& atUnit(int index) const;
   Worlds infer() const;
-  SampledWorlds sampledWorlds(const std::vector<Explanation>& explanations) const;
+  void forgetUnlikelyUnits(const std::array<int, kUnits>& counts) const;
+  double meanUnit(const std::array<int, kUnits>& counts) const;
+  std::optional<ContactHypotheses> widestPlacesOf(const Pose& T_world_object,
+                                                  const LineOfAction& line) const;
+  SampledWorlds sampledWorlds(const std::array<int, kUnits>& counts, TouchedPlaces* touched) const;
+  WorldsAtUnit worldsAt(const EvidenceAtUnit& evidence,
+                        const std::vector<Explanation>& explanations,
+                        const std::vector<int>& members) const;
 
   JointBeliefParameters parameters_;
   MapFrame frame_;
   std::uint64_t revision_ = 0;
   std::uint64_t resets_ = 0;
-  FreeSpaceEvidence evidence_;
-  std::vector<ContactHypotheses> contacts_;           ///< by their ids
-  std::unordered_set<std::uint64_t> known_contacts_;  ///< ids
+  FreeCells free_;  ///< to the accuracy with which poses are kept
+  Path trail_;      ///< a pose of each of these cells, in the order in which they were entered
+  std::map<std::uint64_t, ObservedContact> contacts_;  ///< by their ids, those merged left out
+  std::map<std::uint64_t, LeverOfContact> levers_;     ///< of all contacts, by their ids
   /// By contact_id, the first pose of each contact whose line says nothing or has not come yet;
   /// nothing for the others.
   std::map<int, std::optional<StampedPose>> poses_without_line_;
-  std::vector<Path> tracks_;
-  Pose last_free_ = Pose::Identity();
 
+  mutable std::map<int, EvidenceAtUnit> at_unit_;  ///< of units that are not unlikely
   std::unique_ptr<std::mutex> inferring_ = std::make_unique<std::mutex>();
   mutable std::shared_ptr<const Worlds> worlds_;  ///< null while nobody has asked
 };

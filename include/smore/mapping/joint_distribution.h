@@ -16,16 +16,17 @@ enum class AttractionShape {
   kSurface,  ///< along surfaces of any size: what things stand on and behind goes on
 };
 
-/// Prior belief about how touches lie to one another, in one of the two maps.
+/// Prior belief about how touches lie to one another, in one of the two maps. The scale is in
+/// metres where it is used, by default in units of length.
 struct AttractionParameters {
   AttractionShape shape;
-  double scale;  ///< distance from which on two touches speak less for one another [m]
+  double scale;  ///< distance from which on two touches speak less for one another
   double base;   ///< weight of matter never touched before, against one earlier touch here
 };
 
 struct DistributionParameters {
-  AttractionParameters object{AttractionShape::kPoint, 0.03, 0.1};
-  AttractionParameters world{AttractionShape::kSurface, 0.05, 0.05};
+  AttractionParameters object{AttractionShape::kPoint, 0.3, 0.1};
+  AttractionParameters world{AttractionShape::kSurface, 0.5, 0.05};
   double exponent = 2.0;       ///< strength of the attraction; 0.5 counts each pair of touches once
   double conflict_cost = 4.0;  ///< log odds against one contradiction with free space
   double false_contact = 0.02;  ///< probability that a contact tells nothing

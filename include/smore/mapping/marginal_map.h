@@ -8,11 +8,13 @@
 
 namespace smore {
 
-/// Occupancy as the sampled worlds have it on one of their sides, `matter` with its frame given in
-/// that of the grid. A voxel's probability is the share of the worlds with a ball of `radius` [m]
-/// that holds the voxel's centre, or whose centre the voxel holds. std::out_of_range where matter
-/// lies outside of the range of voxel keys.
-VoxelGrid marginalMap(const SampledWorlds& worlds, const std::vector<MaskedPoint>& matter,
-                      const Pose& T_grid_matter, double radius, double voxel_size);
+/// One side of the sampled worlds, such as WorldsAtUnit::object.
+using MatterOfWorlds = const std::vector<MaskedPoint>& (WorldsAtUnit::*)() const;
+
+/// Occupancy as the sampled worlds have it on one of their sides, its frame given in that of the
+/// grid. A voxel's probability is the share of the worlds with a ball that holds the voxel's
+/// centre, or whose centre the voxel holds. Matter outside of the range of voxel keys is left out.
+VoxelGrid marginalMap(const SampledWorlds& worlds, MatterOfWorlds matter, const Pose& T_grid_matter,
+                      double voxel_size);
 
 }  // namespace smore

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "smore/mapping/forbidden_matter.h"
-#include "smore/mapping/sampled_worlds.h"
 #include "smore/mapping/surface_patch.h"
+#include "smore/mapping/worlds_at_unit.h"
 
 namespace smore {
 

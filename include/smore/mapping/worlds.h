@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "smore/mapping/free_cells.h"
@@ -13,18 +15,24 @@
 
 namespace smore {
 
+/// For each contact, by its id, and in each world where it was touched [object frame]; nothing
+/// where the world holds the contact to be false.
+using TouchedPlaces = std::map<std::uint64_t, std::vector<std::optional<Vec3>>>;
+
 /// All that a joint belief says at one moment. A value: it stays as it is while the belief learns
 /// on, and threads may share it.
 struct Worlds {
   MapFrame frame;             ///< of the sampled worlds and the free cells
-  FeatureParameters feature;  ///< what a touch was assumed to be
-  FreeCells free;             ///< where the object was free
-  std::size_t contacts = 0;   ///< observed so far, those that were merged included
-  std::uint64_t resets = 0;   ///< how often the belief had forgotten everything
+  double unit = 0.0;          ///< of length [m]: the worlds' geometric mean
+  FeatureParameters feature;  ///< what a touch was assumed to be in most worlds [m]
+  FreeCells free;             ///< where the object was free, in cells of that unit
+  /// Motions that were free, in the order in which they were made [T_world_object].
+  std::vector<Path> tracks;
+  std::size_t contacts = 0;  ///< observed so far, those that were merged included
+  std::uint64_t resets = 0;  ///< how often the belief had forgotten everything
 
-  std::vector<Explanation>
-      explanations;       ///< kHypotheses of them, of the contacts kept by their ids
-  SampledWorlds sampled;  ///< the same with the matter that follows from them
+  SampledWorlds sampled;
+  TouchedPlaces touched;  ///< of the contacts that take part
   VoxelGrid world;        ///< occupancy in the world frame: the worlds' marginals
   VoxelGrid object;       ///< the same in the object frame
 

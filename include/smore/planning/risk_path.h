@@ -10,7 +10,7 @@
 
 namespace smore {
 
-/// What a path is worth. In metres of motion:
+/// What a path is worth, as a length of motion:
 ///
 ///   J = length - touch_cost * log(mean over the worlds of exp(-touching length / give))
 ///
@@ -18,8 +18,8 @@ namespace smore {
 /// known only to some accuracy, so that a graze may well pass, and where every world objects, the
 /// path with the least to go through is still told from a hopeless one.
 struct RiskObjective {
-  double touch_cost = 20.0;  ///< what one nat of not arriving is worth in motion [m]
-  double give = 0.02;        ///< accuracy of what is known of matter's place [m]
+  double touch_cost = 200.0;  ///< what one nat of not arriving is worth in motion
+  double give = 0.2;          ///< accuracy of what is known of matter's place
 };
 
 /// J of a path, or the least that J can be for a path that has this as a part.

@@ -26,8 +26,9 @@ struct RiskPlannerParameters {
   /// Wall time of a search after which the best path so far is taken; where there is none yet, one
   /// at any risk [s].
   double time_limit = 60.0;
-  double step = 0.12;  ///< longest edge of the trees, in the metric of the search [m]
-  double lever = 0.3;  ///< what a radian counts in that metric: half of a held thing's reach [m]
+  /// In units of length: longest edge of the trees, in the metric of the search ...
+  double step = 1.2;
+  double lever = 3.0;  ///< ... and what a radian counts in it: half of a held thing's reach
   RiskObjective objective;
 };
 
@@ -58,12 +59,12 @@ class RiskPlanner : public Planner {
                std::vector<RiskPath>* paths) const;
   Trees plant(const Search& search) const;
   std::optional<std::vector<RiskState>> connect(Trees* trees, int limit, Search* search) const;
-  RiskState draw(const RiskTree& tree, CounterRandom* random) const;
+  RiskState draw(const RiskTree& tree, Search* search) const;
   void keepEdges(const Trees& trees, Search* search) const;
 
   const JointBelief* belief_;
   RiskPlannerParameters parameters_;
-  RiskSpace space_;
+  MotionSpace space_;
   std::uint64_t seed_;
   std::uint64_t calls_ = 0;
   std::vector<std::vector<RiskState>> alternatives_;  ///< best first

@@ -10,9 +10,11 @@
 namespace smore {
 
 struct InformedTouchParameters {
-  int probes = 300;                ///< motions among which the best is chosen, at least 1
-  double probe_length = 0.3;       ///< of the part that may touch: half of a held thing's reach [m]
-  double lever = 0.3;              ///< what a radian counts in it: half of a held thing's reach [m]
+  int probes = 300;  ///< motions among which the best is chosen, at least 1
+  /// Of the part that may touch, and what a radian counts in it: half of a held thing's reach, in
+  /// units of length.
+  double probe_length = 3.0;
+  double lever = 3.0;
   double least_information = 0.1;  ///< below, nothing is left to tell [nat]
 };
 
@@ -36,7 +38,7 @@ class InformedTouches : public TouchPlanner {
   double information() const { return information_; }
 
  private:
-  Pose drawEnd(const Pose& from, CounterRandom* random) const;
+  Pose drawEnd(const Pose& from, double unit, CounterRandom* random) const;
 
   const JointBelief* belief_;
   MotionSpace space_;

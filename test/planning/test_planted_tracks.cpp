@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "smore/mapping/joint_belief.h"
-#include "smore/planning/free_tracks.h"
+#include "smore/planning/planted_tracks.h"
 
 namespace smore {
 namespace {
@@ -16,9 +16,9 @@ const MotionSpace kSpace{
     Motion::kPlanar, Pose::Identity(), {Vec3(-1.3, -0.7, -0.01), Vec3(0.4, 0.7, 0.01)}, true};
 
 // A tree with its root at the origin, in a plane of which nothing is known but a contact.
-class FreeTracks : public testing::Test {
+class PlantedTracks : public testing::Test {
  protected:
-  FreeTracks() : belief_(parameters()) {
+  PlantedTracks() : belief_(parameters()) {
     ContactObservation contact;
     contact.state = ContactState::kContact;
     contact.T_world_object = makePose({0.05, 0, 0});
@@ -29,6 +29,7 @@ class FreeTracks : public testing::Test {
 
   static JointBeliefParameters parameters() {
     JointBeliefParameters parameters;
+    parameters.unit = 0.1;
     parameters.T_world_plane = Pose::Identity();
     return parameters;
   }
@@ -37,7 +38,7 @@ class FreeTracks : public testing::Test {
     const RiskMotions motions(worlds_->sampled, kLever);
     RiskTree tree(motions, kLongest);
     tree.add(space_.toState(Pose::Identity()), -1);
-    plantTracks(tracks, space_, {}, motions, kLongest, &tree);
+    plantTracks(tracks, space_, worlds_->free.parameters(), motions, kLongest, &tree);
     return tree;
   }
 
@@ -50,26 +51,26 @@ class FreeTracks : public testing::Test {
   RiskSpace space_{kSpace, Pose::Identity(), kLever};
 };
 
-TEST_F(FreeTracks, AreBranchesFromTheRoot) {
+TEST_F(PlantedTracks, AreBranchesFromTheRoot) {
   const RiskTree tree = planted({along(0.0, -0.4, 0.0)});
   ASSERT_EQ(tree.size(), 10);
   for (int node = 1; node < tree.size(); ++node) EXPECT_EQ(tree.parent(node), node - 1);
   EXPECT_NEAR(tree.state(9).position.x(), -0.4, 1e-6);
 }
 
-TEST_F(FreeTracks, BeginWhereTheRootReachesThem) {
+TEST_F(PlantedTracks, BeginWhereTheRootReachesThem) {
   const RiskTree tree = planted({along(-0.3, 0.0, 0.0)});
   ASSERT_GT(tree.size(), 1) << "what comes before is not joined";
   EXPECT_LE(std::abs(tree.state(1).position.x()), kLongest);
 }
 
-TEST_F(FreeTracks, ThatBeginInAnotherPostureAreNotJoinedToTheRoot) {
+TEST_F(PlantedTracks, ThatBeginInAnotherPostureAreNotJoinedToTheRoot) {
   Path turned = along(0.0, -0.4, 0.0);
   for (Pose& pose : turned) pose = pose * makePose({0, 0, 0}, {0, 0, 1.5});
   EXPECT_EQ(planted({turned}).size(), 1);
 }
 
-TEST_F(FreeTracks, AreNotJoinedThroughWhatTouches) {
+TEST_F(PlantedTracks, AreNotJoinedThroughWhatTouches) {
   const Pose beyond = makePose({0.1, 0, 0});
   ASSERT_NE(worlds_->sampled.touching(beyond.cast<float>()), 0U);
   EXPECT_EQ(planted({{beyond}}).size(), 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smore/planning/free_tracks.h"
+#include "smore/planning/planted_tracks.h"
 
 namespace smore {
 

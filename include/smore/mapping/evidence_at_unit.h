@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "smore/mapping/belief_parameters.h"
+#include "smore/mapping/free_space_evidence.h"
+#include "smore/mapping/hypothesis_weights.h"
+#include "smore/mapping/map_frame.h"
+#include "smore/mapping/worlds.h"
+
+namespace smore {
+
+/// A contact with its line, as it was observed.
+struct ObservedContact {
+  std::uint64_t id = 0;  ///< contactId of the rest
+  Pose T_world_object = Pose::Identity();
+  LineOfAction line;
+};
+
+/// What all observations say if the unit of length is a certain one.
+class EvidenceAtUnit {
+ public:
+  /// `parameters` in units of length.
+  EvidenceAtUnit(const JointBeliefParameters& parameters, const MapFrame& frame, double unit);
+
+  /// False where the pose was known.
+  bool addFree(const Pose& T_map_object) { return free_.addPose(T_map_object); }
+
+  /// A contact that was not added yet. One whose line passes too far from the object for this unit
+  /// says nothing.
+  void addContact(const ObservedContact& contact);
+  void removeContact(std::uint64_t id);
+
+  /// kHypotheses explanations of the contacts: those of `members` are drawn, by `seed`, the others
+  /// explain nothing.
+  std::vector<Explanation> explain(const std::vector<int>& members, std::uint64_t seed) const;
+
+  /// How likely each of these explanations is, by the sizes of its surfaces in space; in a plane,
+  /// where sizes tell risks apart less well (docs/planning.md), all alike.
+  HypothesisWeights::Weights weightsOf(const std::vector<Explanation>& explanations) const;
+
+  /// Notes where the contacts were touched in world `m`, explained in this way.
+  void tellPlaces(const Explanation& explanation, int m, TouchedPlaces* touched) const;
+
+  double unit() const { return unit_; }
+  /// In metres.
+  const JointBeliefParameters& parameters() const { return parameters_; }
+  const FreeSpaceEvidence& free() const { return free_; }
+  const std::vector<ContactHypotheses>& contacts() const { return contacts_; }  ///< by their ids
+
+ private:
+  double unit_;
+  JointBeliefParameters parameters_;
+  MapFrame frame_;
+  FreeSpaceEvidence free_;
+  std::vector<ContactHypotheses> contacts_;
+};
+
+}  // namespace smore

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "smore/mapping/contact_hypotheses.h"
+#include "smore/mapping/free_space_evidence.h"
+#include "smore/mapping/joint_distribution.h"
+#include "smore/mapping/mask_grid.h"
+
+namespace smore {
+
+/// How far touched surfaces go on, in units of length: each world has one radius of all patches
+/// around its touches and one of those around the object's, log-uniform from the shortest to the
+/// longest.
+struct ExtentParameters {
+  double shortest = 0.2;        ///< as large as a patch that is just told from a point
+  double object_longest = 6.0;  ///< on the object in planar motion: what a gripper holds
+  double world_longest = 6.0;   ///< in the world
+};
+
+/// The surroundings of a joint sample: all that WorldsAtUnit is made from. Views.
+struct WorldSamples {
+  const std::vector<ContactHypotheses>& contacts;
+  const FreeSpaceEvidence& evidence;
+  const std::vector<Explanation>& explanations;  ///< kHypotheses of them
+  HypothesisMask members;                        ///< those of them that count
+};
+
+/// Worlds of one unit of length that the evidence allows, side by side in the bits of machine
+/// words: each an explanation of all contacts, with the touched surfaces continued at random until
+/// free space ends them.
+class WorldsAtUnit {
+ public:
+  WorldsAtUnit(const WorldSamples& samples, const FeatureParameters& feature,
+               const ExtentParameters& extent, bool planar, std::uint64_t seed);
+
+  /// From now on the object touches in every world at poses like this one, at which it did touch:
+  /// those from which no matter within `reach` [m] of the object frame's origin has moved by more
+  /// than half the distance at which two balls touch.
+  void setTouching(const Eigen::Isometry3f& T_map_object, double reach);
+
+  /// The worlds in which the object touches at this pose in the map frame. Once they are more than
+  /// `enough`, the rest may be missing.
+  HypothesisMask touching(const Eigen::Isometry3f& T_map_object,
+                          int enough = kHypotheses - 1) const;
+
+  /// Centres of the balls of matter, in the object's and the map's frame.
+  const std::vector<MaskedPoint>& object() const { return object_; }
+  const std::vector<MaskedPoint>& world() const { return world_; }
+
+  double radius() const { return radius_; }  ///< of the balls [m]
+
+  /// Distance of two balls' centres at which they touch [m].
+  double contactDistance() const { return contact_distance_; }
+
+ private:
+  /// Points that lie together, looked up as one first.
+  struct Block {
+    MaskedPoint whole;
+    int first = 0;
+    int last = 0;
+  };
+  /// A pose at which the object touched, and poses like it.
+  struct TouchingPose {
+    Eigen::Isometry3f T_map_object;
+    float reach;
+  };
+  bool isLikeATouchingPose(const Eigen::Isometry3f& T_map_object) const;
+  void makeBlocks(const std::vector<MaskedPoint>& points, float size);
+  HypothesisMask overlap(const Eigen::Isometry3f& pose, int enough) const;
+
+  double radius_;
+  double contact_distance_;
+  HypothesisMask members_;
+  std::vector<TouchingPose> touching_poses_;
+  std::vector<MaskedPoint> object_;
+  std::vector<MaskedPoint> world_;
+  // The side with fewer points is looked up, point by point, in grids of the other side.
+  bool object_moves_ = true;
+  std::vector<MaskedPoint> points_;  ///< block after block
+  std::vector<Block> blocks_;
+  MaskGrid near_ball_;   ///< by the centre of a ball: touches
+  MaskGrid near_block_;  ///< by the centre of a block: some point of it may touch
+};
+
+}  // namespace smore

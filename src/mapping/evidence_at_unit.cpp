@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/mapping/evidence_at_unit.h"
+
+#include <algorithm>
+
+#include "smore/mapping/surface_sizes.h"
+
+namespace smore {
+EvidenceAtUnit::EvidenceAtUnit(const JointBeliefParameters& parameters, const MapFrame& frame,
+                               double unit)
+    : unit_(unit),
+      parameters_(inMetres(parameters, unit)),
+      frame_(frame),
+      free_(parameters_.free_space, parameters_.feature.conflictDistance()) {}
+
+void EvidenceAtUnit::addContact(const ObservedContact& contact) {
+  const auto places = contactHypotheses(frame_.T_map_world() * contact.T_world_object, contact.line,
+                                        parameters_.feature, frame_.planar());
+  if (!places) return;
+  // By their ids: sums over contacts then round alike, in whatever order they came.
+  const auto after = std::upper_bound(
+      contacts_.begin(), contacts_.end(), *places,
+      [](const ContactHypotheses& a, const ContactHypotheses& b) { return a.id < b.id; });
+  free_.insertContact(static_cast<int>(after - contacts_.begin()), *places);
+  contacts_.insert(after, *places);
+}
+
+void EvidenceAtUnit::removeContact(std::uint64_t id) {
+  const auto found =
+      std::find_if(contacts_.begin(), contacts_.end(),
+                   [id](const ContactHypotheses& contact) { return contact.id == id; });
+  if (found == contacts_.end()) return;
+  free_.removeContact(static_cast<int>(found - contacts_.begin()));
+  contacts_.erase(found);
+}
+
+std::vector<Explanation> EvidenceAtUnit::explain(const std::vector<int>& members,
+                                                 std::uint64_t seed) const {
+  const std::vector<Explanation> drawn =
+      JointDistribution(contacts_, free_, parameters_.distribution).sample(kHypotheses, seed);
+  std::vector<Explanation> explanations(kHypotheses, Explanation(contacts_.size(), kFalseContact));
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    explanations[members[i]] = drawn[i * drawn.size() / members.size()];  // evenly
+  }
+  return explanations;
+}
+
+HypothesisWeights::Weights EvidenceAtUnit::weightsOf(
+    const std::vector<Explanation>& explanations) const {
+  HypothesisWeights::Weights weights{};
+  weights.fill(1.0);
+  if (frame_.planar()) return weights;
+  const ExtentParameters& extent = parameters_.extent;
+  return weightsBySize(contacts_, explanations, surfaceSizes(extent.shortest, extent.world_longest),
+                       parameters_.distribution.world);
+}
+
+void EvidenceAtUnit::tellPlaces(const Explanation& explanation, int m,
+                                TouchedPlaces* touched) const {
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    std::vector<std::optional<Vec3>>& places = (*touched)[contacts_[k].id];
+    places.resize(kHypotheses);
+    const int i = explanation[k];
+    if (i == kFalseContact) continue;
+    const Eigen::Vector3f depth =
+        static_cast<float>(parameters_.feature.radius) * contacts_[k].object_normal.at(i);
+    places[m] = (contacts_[k].object.at(i) - depth).cast<double>();
+  }
+}
+
+}  // namespace smore
