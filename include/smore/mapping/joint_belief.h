@@ -22,7 +22,7 @@ struct StampedPose {
 };
 
 /// Poses are kept to this accuracy [m], [rad]: a quarter of the smallest unit of length, and a turn
-/// that moves what touches less. A choice: a sixth of it is how exactly a UR5e repeats a pose.
+/// that moves what touches less. A choice: a UR5e repeats a pose to a sixteenth of it.
 constexpr FreeSpaceParameters kPoseAccuracy = {0.0005, 0.005};
 
 /// A belief that keeps all its evidence: where on each line each contact was, inferred jointly over
