@@ -55,9 +55,9 @@ void JsonFields::fail(const std::string& key, const std::string& problem) const 
 }
 
 const Json& JsonFields::raw(const std::string& key) const {
-  static const Json kNull;
+  static const Json null;
   const auto found = object_->find(key);
-  return found == object_->end() ? kNull : *found;
+  return found == object_->end() ? null : *found;
 }
 
 const Json& JsonFields::at(const std::string& key) const {

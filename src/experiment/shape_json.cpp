@@ -54,7 +54,7 @@ MeshShape readMesh(const JsonFields& fields) {
 }
 
 BoxShape readBox(const JsonFields& fields) {
-  const BoxShape box{fields.vector("size")};
+  BoxShape box{fields.vector("size")};
   if ((box.size.array() <= 0.0).any()) fields.fail("size", "expected positive lengths");
   return box;
 }
