@@ -29,7 +29,7 @@ Enum readEnum(const JsonFields& record, const std::string& key,
 }
 
 Bounds readWorkspace(const JsonFields& record) {
-  const Bounds workspace{record.vector("min"), record.vector("max")};
+  Bounds workspace{record.vector("min"), record.vector("max")};
   if ((workspace.min.array() > workspace.max.array()).any()) {
     record.fail("min", "above max on an axis; the record is damaged");
   }
