@@ -38,7 +38,8 @@ std::optional<std::vector<double>> pick(const std::vector<double>& values,
 }  // namespace
 
 TrajectoryController::TrajectoryController(std::vector<std::string> names,
-                                           std::vector<double> positions, double stop_duration)
+                                           const std::vector<double>& positions,
+                                           double stop_duration)
     : names_(std::move(names)), stop_duration_(stop_duration) {
   start(positions);
 }

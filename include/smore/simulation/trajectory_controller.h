@@ -23,7 +23,7 @@ class TrajectoryController {
  public:
   /// At rest at `positions`, in the order of `names`; `stop_duration` [s of its own clock], 0 or
   /// more.
-  TrajectoryController(std::vector<std::string> names, std::vector<double> positions,
+  TrajectoryController(std::vector<std::string> names, const std::vector<double>& positions,
                        double stop_duration);
 
   /// A command; its joints in any order. One that is not of all joints, or not of numbers, is
