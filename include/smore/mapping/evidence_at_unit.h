@@ -14,7 +14,7 @@ namespace smore {
 
 /// A contact with its line, as it was observed.
 struct ObservedContact {
-  std::uint64_t id = 0;  ///< contactId of the rest
+  std::uint64_t id = 0;  ///< ContactHypotheses::id of the rest
   Pose T_world_object = Pose::Identity();
   LineOfAction line;
 };

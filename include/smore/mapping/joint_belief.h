@@ -29,8 +29,8 @@ constexpr FreeSpaceParameters kPoseAccuracy = {0.0005, 0.005};
 /// all contacts and all free poses, as 64 worlds: equally likely ones in planar motion, in space
 /// weighed by the sizes of their surfaces. Both maps are their marginals.
 ///
-/// The belief knows no size: each world has a unit of length of its own, drawn from what the
-/// contacts say (unitProbabilities), of which all that is assumed of matter is a multiple. Where
+/// The belief knows no size: its worlds have units of length, up to three different ones, as likely
+/// as the contacts say (unitProbabilities); all that is assumed of matter is a multiple of them. Where
 /// all that is observed is scaled alike, so are the worlds.
 ///
 /// The same set of observations gives the same worlds, to the last bit, in any order, as long as no
