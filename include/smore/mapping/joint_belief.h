@@ -30,8 +30,8 @@ constexpr FreeSpaceParameters kPoseAccuracy = {0.0005, 0.005};
 /// weighed by the sizes of their surfaces. Both maps are their marginals.
 ///
 /// The belief knows no size: its worlds have units of length, up to three different ones, as likely
-/// as the contacts say (unitProbabilities); all that is assumed of matter is a multiple of them. Where
-/// all that is observed is scaled alike, so are the worlds.
+/// as the contacts say (unitProbabilities); all that is assumed of matter is a multiple of them.
+/// Where all that is observed is scaled alike, so are the worlds.
 ///
 /// The same set of observations gives the same worlds, to the last bit, in any order, as long as no
 /// contacts are merged, and much the same at any rate of free samples that is fine against the
