@@ -6,7 +6,6 @@
 #include <ros/ros.h>
 #include <std_msgs/Bool.h>
 #include <std_msgs/Empty.h>
-#include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
 #include <std_srvs/Trigger.h>
 
@@ -20,6 +19,7 @@
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/shutdown_request.h"
+#include "smore/ros/speed_listener.h"
 
 namespace smore {
 namespace {
@@ -103,8 +103,6 @@ class GuardNode {
                                     &GuardNode::onSignOfLife, this, hints);
     program_ = node_.subscribe(names::kProgramRunning, names::kLatestQueue, &GuardNode::onProgram,
                                this, hints);
-    scaling_topic_ = node_.subscribe(names::kSpeedScaling, names::kLatestQueue,
-                                     &GuardNode::onScaling, this, hints);
   }
 
   void onWrench(const geometry_msgs::WrenchStamped& message) {
@@ -118,7 +116,7 @@ class GuardNode {
     reactToFault();
     const auto joints = guard_.joints(now());
     if (!stream_.active() || !joints) return;
-    const auto horizon = stream_.advance(joints->time, scaling_);
+    const auto horizon = stream_.advance(joints->time, speed_.scaling());
     if (horizon) guarded_.publish(toMessage(*horizon));
   }
 
@@ -134,10 +132,6 @@ class GuardNode {
     guard_.onProgram(message.data != 0);
     guard_.check(now());
     reactToFault();
-  }
-
-  void onScaling(const std_msgs::Float64& message) {
-    if (std::isfinite(message.data)) scaling_ = std::clamp(message.data, 0.0, 1.0);
   }
 
   void onCommand(const trajectory_msgs::JointTrajectory& message) {
@@ -158,7 +152,7 @@ class GuardNode {
   void halt() {
     const auto joints = guard_.joints(now());
     if (joints) {
-      guarded_.publish(toMessage(brake(joint_names_, *joints, deceleration_, scaling_)));
+      guarded_.publish(toMessage(brake(joint_names_, *joints, deceleration_, speed_.scaling())));
     } else if (!stream_.active()) {
       guarded_.publish(trajectory_msgs::JointTrajectory());
     }
@@ -216,15 +210,15 @@ class GuardNode {
   MotionGuard guard_;
   ContactReflex reflex_;
   MotionStream stream_;
-  double deceleration_;   ///< of a brake [rad/s^2]
-  double scaling_ = 1.0;  ///< share of full speed at which the robot runs
+  double deceleration_;  ///< of a brake [rad/s^2]
   std::vector<std::string> joint_names_;
   ros::WallDuration period_;  ///< between two checks for silence
   ros::CallbackQueue queue_;
+  SpeedListener speed_{&queue_};
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
   ros::Publisher guarded_, fault_;
-  ros::Subscriber wrench_, joints_, contact_, command_, sign_of_life_, scaling_topic_, program_;
+  ros::Subscriber wrench_, joints_, contact_, command_, sign_of_life_, program_;
   ros::ServiceServer stop_, clear_;
   std::string published_;
 };

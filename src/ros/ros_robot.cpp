@@ -10,12 +10,11 @@
 #include "smore/ros/interruptible_call.h"
 #include "smore/ros/names.h"
 #include "smore/ros/sensor_zero.h"
+#include "smore/ros/settle_deadline.h"
 
 namespace smore {
 namespace {
 
-// Sample times [s]: a contact settles, and a free sensor says so, in a tenth of this.
-constexpr double kSettleDeadline = 2.0;
 // Between two looks at the wishes of the user while nothing comes [s of wall time].
 constexpr double kLookPeriod = 0.01;
 // Of a retreat: it goes on where it was stopped, and while something still touches.
@@ -35,7 +34,8 @@ RosRobot::RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCo
     : parameters_(parameters),
       commands_(std::move(commands)),
       joints_(&queue_, commands_->jointNames()),
-      guard_(&queue_) {
+      guard_(&queue_),
+      speed_(&queue_) {
   node_.setCallbackQueue(&queue_);
   command_ =
       node_.advertise<trajectory_msgs::JointTrajectory>(names::kCommand, names::kLatestQueue);
@@ -118,7 +118,7 @@ MotionResult RosRobot::follow(const Path& path) {
   while (true) {
     switch (advance(&motion)) {
       case Step::kGoOn:
-      case Step::kStalled:  // a paused robot may go on
+      case Step::kStalled:  // it may go on until it is late
         trail_.record(motion.last.T_world_object);
         break;
       case Step::kArrived:
@@ -232,7 +232,8 @@ RosRobot::Step RosRobot::advance(Motion* motion) {
   }
   motion->last = *observation;
   sign_of_life_.publish(std_msgs::Empty());
-  const MotionStage stage = motion->progress.update(observation->time, observation->T_world_object);
+  const MotionStage stage =
+      motion->progress.update(observation->time, observation->T_world_object, speed_.scaling());
   if (observation->contact_id != motion->known_contacts) return Step::kContact;
   if (stage == MotionStage::kArrived) return Step::kArrived;
   if (stage == MotionStage::kStalled) return Step::kStalled;
@@ -259,9 +260,9 @@ MotionResult RosRobot::end(const Motion& motion, MotionEnd how) {
 }
 
 void RosRobot::settleInContact(Motion* motion) {
-  const double deadline = motion->last.time + kSettleDeadline;
+  SettleDeadline deadline;
   while (!motion->last.line && motion->last.state == ContactState::kContact &&
-         motion->last.time < deadline) {
+         !deadline.passedAt(motion->last.time)) {
     const auto observation = nextObservation();
     if (!observation) return;
     motion->last = *observation;
@@ -285,13 +286,12 @@ bool RosRobot::waitUntilAt(const Pose& target) {
 }
 
 bool RosRobot::waitUntil(const std::function<bool(const ContactObservation&)>& condition) {
-  std::optional<double> deadline;
+  SettleDeadline deadline;
   bool fulfilled = false;
   stream_.open();
   while (const auto observation = nextObservation()) {
     fulfilled = condition(*observation);
-    if (!deadline) deadline = observation->time + kSettleDeadline;
-    if (fulfilled || observation->time > *deadline) break;
+    if (fulfilled || deadline.passedAt(observation->time)) break;
   }
   stream_.close();
   return fulfilled;

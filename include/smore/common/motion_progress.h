@@ -11,31 +11,36 @@ constexpr double kAtTarget = 2e-3;
 enum class MotionStage {
   kUnderWay,
   kArrived,  ///< it stands at the target
-  kStalled,  ///< it has stood short of the target for half a second
+  kStalled,  ///< it has stood short of the target for half a second, unpaused
   kLate,     ///< it has taken far more than its time
 };
 
 /// Tells from poses how far a commanded motion has come. An arrival is a pose at the target that
-/// stays, not before nine tenths of the motion's time: a path may cross its own end.
+/// stays, not before nine tenths of the motion's time: a path may cross its own end. All waiting is
+/// in the motion's own time, which passes at the share of full speed at which the robot runs: a
+/// slow robot has longer, and in a pause nothing arrives, stalls or is late.
 class MotionProgress {
  public:
-  /// The motion begins at `time` [s] at the pose `here`; it should take `duration` [s].
+  /// The motion begins at `time` [s] at the pose `here`; at full speed it should take `duration`
+  /// [s].
   MotionProgress(double time, const Pose& here, const Pose& target, double duration);
 
-  /// After a further pose; times [s] rise.
-  MotionStage update(double time, const Pose& here);
+  /// After a further pose; times [s] rise. `scaling`: share of full speed since the last one, 0 to
+  /// 1; below kLeastScaling the robot is paused.
+  MotionStage update(double time, const Pose& here, double scaling);
 
   /// Way of the origin so far [m].
   double length() const { return length_; }
 
  private:
-  double begin_;
+  double time_;  ///< of the last pose [s]
   Pose target_;
   double duration_;
   Pose last_;
   double length_ = 0.0;
-  Pose rest_pose_;  ///< where it was when it last moved
-  double rest_since_;
+  Pose rest_pose_;        ///< where it was when it last moved
+  double elapsed_ = 0.0;  ///< since the begin, in the motion's own time [s]
+  double rest_ = 0.0;     ///< since it last moved, in that time too [s]
 };
 
 }  // namespace smore

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "smore/common/joint_trajectory.h"
+#include "smore/common/speed_scaling.h"
 
 namespace smore {
 
@@ -16,9 +17,6 @@ struct HorizonParameters {
   double blend = 0.04;
   double deceleration = 15.0;  ///< of each joint, in a brake [rad/s^2] or [m/s^2], positive
 };
-
-/// A robot slower than this share of its speed is paused.
-constexpr double kLeastScaling = 0.01;
 
 /// Comes to rest from `positions` at `velocities` as joints at constant deceleration do: each on a
 /// parabola over the time T that the fastest of them needs, its way half of T times its velocity.

@@ -20,6 +20,7 @@
 #include "smore/ros/fault_place.h"
 #include "smore/ros/joint_listener.h"
 #include "smore/ros/observation_stream.h"
+#include "smore/ros/speed_listener.h"
 
 namespace smore {
 
@@ -93,6 +94,7 @@ class RosRobot : public Robot {
   ros::NodeHandle node_;
   JointListener joints_;
   FaultListener guard_;
+  SpeedListener speed_;
   FaultPlace fault_place_;
   ros::Publisher command_, sign_of_life_;
   ros::Subscriber contact_;
