@@ -52,6 +52,9 @@ class FakeArm:
             self.source.publish(observation)
 
     def __enter__(self):
+        # Until both are connected the joint states of the arm before would count.
+        assert self.source.wait_for_listener()
+        assert wait_until(lambda: self._joints.get_num_connections() > 0)
         self._thread.start()
         return self
 
