@@ -83,10 +83,10 @@ bool MotionGuard::Ceiling::exceededBy(double value) {
 
 void MotionGuard::Ceiling::raiseTo(double value) { allowed_ = std::max(limit_, value + margin_); }
 
-void MotionGuard::Heartbeat::beat(double now, double new_stamp) {
+void MotionGuard::Heartbeat::beat(double new_measured, double new_stamp) {
   if (stamp == new_stamp) return;
   stamp = new_stamp;
-  arrival = now;
+  measured = new_measured;
 }
 
 MotionGuard::MotionGuard(const MotionGuardParameters& parameters,
@@ -96,9 +96,11 @@ MotionGuard::MotionGuard(const MotionGuardParameters& parameters,
       force_(parameters.max_force, parameters.force_margin),
       torque_(parameters.max_torque, parameters.torque_margin) {}
 
-void MotionGuard::onWrench(double now, double stamp, const Wrench& wrench) {
-  wrench_beat_.beat(now, stamp);
+void MotionGuard::onWrench(double measured, double stamp, const Wrench& wrench) {
+  wrench_beat_.beat(measured, stamp);
   if (!isFinite(wrench)) return stop("a wrench has a value that is not finite");
+  const bool same = wrench.force == wrench_.force && wrench.torque == wrench_.torque;
+  if (!same) wrench_changed_ = measured;
   wrench_ = wrench;
   const double force = wrench.force.norm();
   const double torque = wrench.torque.norm();
@@ -106,12 +108,12 @@ void MotionGuard::onWrench(double now, double stamp, const Wrench& wrench) {
   if (torque_.exceededBy(torque)) stop(above("the torque", torque, torque_.allowed(), "N m"));
 }
 
-void MotionGuard::onJoints(double now, const JointReading& reading) {
+void MotionGuard::onJoints(double measured, const JointReading& reading) {
   const auto positions = pick(joint_names_, reading.names, reading.positions);
   const auto velocities = pick(joint_names_, reading.names, reading.velocities);
   if (!positions) return;
   if (!velocities) return stop("the joint states have no velocities; the driver must give them");
-  joints_beat_.beat(now, reading.stamp);
+  joints_beat_.beat(measured, reading.stamp);
   if (!allFinite(*positions) || !allFinite(*velocities)) {
     return stop("a joint state has a value that is not finite");
   }
@@ -158,7 +160,7 @@ void MotionGuard::checkMotion(double now, const JointTrajectoryPoint& expected) 
 }
 
 std::optional<JointTrajectoryPoint> MotionGuard::joints(double now) const {
-  if (!joints_beat_.stamp || now - joints_beat_.arrival > parameters_.max_silence) {
+  if (!joints_beat_.stamp || now - joints_beat_.measured > parameters_.max_silence) {
     return std::nullopt;
   }
   return state_;
@@ -176,13 +178,24 @@ void MotionGuard::clear(double now) {
 }
 
 std::string MotionGuard::silence(double now) const {
+  const double most = parameters_.max_silence;
   const auto silent = [&](const Heartbeat& stream) {
-    return stream.stamp && now - stream.arrival > parameters_.max_silence;
+    return stream.stamp && now - stream.measured > most;
   };
-  const std::string suffix =
-      " for over " + milliseconds(parameters_.max_silence) + "; are driver and network up?";
-  if (silent(wrench_beat_)) return "no new wrench" + suffix;
-  if (silent(joints_beat_)) return "no new joint states" + suffix;
+  const std::string suffix = " younger than " + milliseconds(most) +
+                             "; are driver and network up, and their clock the same as here?";
+  if (silent(wrench_beat_)) return "no wrench" + suffix;
+  if (silent(joints_beat_)) return "no joint states" + suffix;
+  if (parameters_.wrench_varies && wrench_beat_.stamp && now - wrench_changed_ > most) {
+    return "the wrench has been the same for over " + milliseconds(most) +
+           ", as no sensor with noise says; is the connection to the robot cut?";
+  }
+  const double newest = wrench_beat_.stamp.value_or(0.0);
+  const bool behind = contact_beat_.stamp && newest - *contact_beat_.stamp > most;
+  if (silent(contact_beat_) || behind) {
+    return "the contact observations are late by over " + milliseconds(most) +
+           "; is the force_torque node up, and does it get transforms?";
+  }
   return "";
 }
 
@@ -228,12 +241,6 @@ std::string MotionGuard::problemOfPoints(const JointTrajectory& ordered) const {
 }
 
 std::string MotionGuard::problemOfMotion(double now, const JointTrajectoryPoint& expected) const {
-  const double late = std::max(now - contact_beat_.arrival, wrench_beat_.stamp.value_or(0.0) -
-                                                                contact_beat_.stamp.value_or(0.0));
-  if (late > parameters_.max_silence) {
-    return "the contact observations are late by over " + milliseconds(parameters_.max_silence) +
-           "; is the force_torque node up, and does it get transforms?";
-  }
   if (now - commander_ > parameters_.max_unattended) {
     return "no sign of life of who commanded the motion for over " +
            milliseconds(parameters_.max_unattended) + "; is the retrieval node up?";

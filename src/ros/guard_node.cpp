@@ -56,6 +56,11 @@ GuardParameters readGuardParameters(ParameterReader* reader) {
 /// stamps.
 double now() { return ros::SteadyTime::now().toSec(); }
 
+/// When what bears a stamp was new, by that clock [s].
+double measuredAt(const ros::Time& stamp) {
+  return now() - std::max(0.0, (ros::Time::now() - stamp).toSec());
+}
+
 /// Everything happens in one thread, between two checks for silence.
 class GuardNode {
  public:
@@ -106,13 +111,15 @@ class GuardNode {
   }
 
   void onWrench(const geometry_msgs::WrenchStamped& message) {
-    guard_.onWrench(now(), message.header.stamp.toSec(), fromMessage(message.wrench));
+    const ros::Time& stamp = message.header.stamp;
+    guard_.onWrench(measuredAt(stamp), stamp.toSec(), fromMessage(message.wrench));
     reactToFault();
   }
 
   void onJoints(const sensor_msgs::JointState& message) {
-    guard_.onJoints(
-        now(), {message.header.stamp.toSec(), message.name, message.position, message.velocity});
+    const ros::Time& stamp = message.header.stamp;
+    guard_.onJoints(measuredAt(stamp),
+                    {stamp.toSec(), message.name, message.position, message.velocity});
     reactToFault();
     const auto joints = guard_.joints(now());
     if (!stream_.active() || !joints) return;
@@ -121,7 +128,7 @@ class GuardNode {
   }
 
   void onContact(const smore_msgs::ContactObservation& message) {
-    guard_.onContact(now(), message.header.stamp.toSec());
+    guard_.onContact(measuredAt(message.header.stamp), message.header.stamp.toSec());
     const bool touching = message.state == smore_msgs::ContactObservation::CONTACT;
     if (reflex_.onObservation(touching, message.contact_id)) halt();
   }
@@ -225,10 +232,12 @@ class GuardNode {
 
 void runGuard() {
   ParameterReader reader(privateParameters(), ros::this_node::getName());
-  const GuardParameters parameters = readGuardParameters(&reader);
+  GuardParameters parameters = readGuardParameters(&reader);
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
   reader.finish();
+  const WrenchNoise& noise = scenario->wrench_noise;
+  parameters.guard.wrench_varies = noise.force_stddev > 0.0 || noise.torque_stddev > 0.0;
   GuardNode(parameters, makeJointCommands(*scenario)->jointNames()).run();
 }
 

@@ -19,6 +19,7 @@ TEST_F(GuardedMotionTest, ALaterFirstPointIsReachedFromWhereTheJointsAre) {
   expectRefused(trajectory, "the commanded speed of shoulder");
 }
 
+// From rest to rest a cubic is 1.5 times as fast in its middle as on average.
 TEST_F(GuardedMotionTest, TheCommandedSpeedIsThatBetweenThePoints) {
   EXPECT_TRUE(guard_.admit(now_, motion(1.33, 1.0)));
   expectRefused(motion(-1.34, 1.0), "the commanded speed of shoulder is 2.01 rad/s");
@@ -77,28 +78,6 @@ TEST_F(GuardedMotionTest, AMotionThatNobodyAttendsToLatches) {
   run(0.02);
   guard_.checkMotion(now_, here);
   EXPECT_NE(guard_.fault().find("no sign of life"), std::string::npos) << guard_.fault();
-}
-
-TEST_F(GuardedMotionTest, AMotionWithoutContactObservationsLatches) {
-  const JointTrajectoryPoint here{0.0, positions_, velocities_};
-  ASSERT_TRUE(guard_.admit(now_, motion(0.5, 1.0)));
-  run(0.04, true, true, false);
-  guard_.checkMotion(now_, here);
-  EXPECT_EQ(guard_.fault(), "");
-  run(0.02, true, true, false);
-  EXPECT_EQ(guard_.fault(), "") << "a robot at rest needs none";
-  guard_.checkMotion(now_, here);
-  EXPECT_NE(guard_.fault().find("contact observations are late"), std::string::npos);
-}
-
-TEST_F(GuardedMotionTest, AMotionWithContactObservationsOfLongAgoLatches) {
-  ASSERT_TRUE(guard_.admit(now_, motion(0.5, 1.0)));
-  for (int i = 0; i < 5; ++i) {
-    run(kPeriod, true, true, false);
-    guard_.onContact(now_, now_ - 0.06);
-    guard_.checkMotion(now_, {0.0, positions_, velocities_});
-  }
-  EXPECT_NE(guard_.fault().find("contact observations are late"), std::string::npos);
 }
 
 TEST_F(GuardedMotionTest, ARobotThatDoesNotFollowLatches) {

@@ -37,6 +37,8 @@ class Driver:
         self.contact_id = 0
         self.felt = 0  # wrenches that the guard was there to receive
         self.wrenches = self.joints = self.contacts = self.attended = True
+        self.noise = 0.01  # turns its sign with each wrench [N]
+        self.age = 0.0  # of all stamps [s]
         self.position = 0.0
         self._wrench = rospy.Publisher("wrench", WrenchStamped, queue_size=1, tcp_nodelay=True)
         self._joints = rospy.Publisher("joint_states", JointState, queue_size=1, tcp_nodelay=True)
@@ -53,11 +55,13 @@ class Driver:
 
     def _run(self):
         while not self._end.wait(PERIOD):
-            now = rospy.Time.now()
+            now = rospy.Time.now() - rospy.Duration.from_sec(self.age)
             if self.wrenches:
                 wrench = WrenchStamped()
                 wrench.header.stamp = now
                 wrench.wrench.force.z = self.force
+                wrench.wrench.force.x = self.noise
+                self.noise = -self.noise
                 self._wrench.publish(wrench)
                 self.felt += self._wrench.get_num_connections() > 0
             if self.joints:
@@ -216,16 +220,28 @@ class GuardNode(unittest.TestCase):
 
     def test_silence_of_the_wrench_stops_and_is_not_cleared_while_it_lasts(self):
         self.driver.wrenches = False
-        self.stopped_because("no new wrench")
+        self.stopped_because("no wrench younger")
         refused = self.clear()
         self.assertFalse(refused.success)
-        self.assertIn("no new wrench", refused.message)
+        self.assertIn("no wrench younger", refused.message)
         self.driver.wrenches = True
         self.assertTrue(wait_until(lambda: self.clear().success))
 
     def test_silence_of_the_joint_states_stops(self):
         self.driver.joints = False
-        self.stopped_because("no new joint states")
+        self.stopped_because("no joint states younger")
+
+    def test_a_wrench_that_never_changes_is_a_fault_at_rest(self):
+        self.driver.noise = 0.0
+        self.stopped_because("the wrench has been the same")
+
+    def test_stamps_of_long_ago_are_a_fault_at_rest(self):
+        self.driver.age = 1.0
+        self.stopped_because("no wrench younger")
+
+    def test_contact_observations_that_stay_out_are_a_fault_at_rest(self):
+        self.driver.contacts = False
+        self.stopped_because("the contact observations are late")
 
     def test_a_motion_from_where_the_arm_is_not_stops(self):
         self.command.publish(motion(start=self.driver.position + 0.5))

@@ -74,6 +74,13 @@ class RobotTwin(unittest.TestCase):
         self.assertTrue(self.cut(False).success)
         self.go_on()
 
+    def test_a_cut_network_is_a_fault_at_rest_too(self):
+        self.faults.clear()
+        self.assertTrue(self.cut(True).success)
+        self.assertIsNotNone(self.faults.wait_for(lambda m: "are late" in m.data), "no fault")
+        self.assertTrue(self.cut(False).success)
+        self.go_on()
+
     def test_a_protective_stop_latches_and_nothing_moves_before_a_new_goal(self):
         self.begin_motion()
         self.assertTrue(self.protective_stop().success)

@@ -13,7 +13,7 @@ namespace smore {
 struct MotionGuardParameters {
   double max_force = 40.0;       ///< of a raw sample, weight and bias included [N]
   double max_torque = 8.0;       ///< the same, about the sensor's origin [N m]
-  double max_silence = 0.05;     ///< between two messages of a stream [s]
+  double max_silence = 0.05;     ///< age of the newest of a stream [s]
   double max_unattended = 0.1;   ///< without a sign of life of who commanded a motion [s]
   double max_joint_speed = 2.0;  ///< measured and commanded, of each joint [rad/s] or [m/s]
   double start_tolerance = 0.1;  ///< of each joint, to where a motion starts [rad] or [m]
@@ -22,6 +22,9 @@ struct MotionGuardParameters {
   /// this much [N], [N m]; sensor noise must be smaller.
   double force_margin = 10.0;
   double torque_margin = 1.0;
+  /// Whether two samples of the wrench in succession are never the same, as those of a sensor with
+  /// noise: a driver without a robot may repeat the last one under fresh stamps.
+  bool wrench_varies = false;
 };
 
 /// Joints as a driver reports them; lists of equal length.
@@ -34,27 +37,29 @@ struct JointReading {
 
 /// Decides whether a robot may move. It latches the first fault with its reason, whether a motion
 /// runs or not: force, torque or joint speed above the limit, a value that is not finite, a stream
-/// that was there and falls silent, a trajectory that is too fast or does not start at the joints.
-/// While a motion runs, contact observations must keep up, its commander must show that it lives,
-/// and the joints must follow.
+/// (wrenches, joint states, contact observations) that was there and falls silent, is late or
+/// repeats itself, a trajectory that is too fast or does not start at the joints. While a motion
+/// runs, its commander must show that it lives, and the joints must follow.
 ///
-/// All `now` are of one clock that never jumps [s]. A message whose stamp is that of the one before
-/// counts as silence: the driver repeats itself.
+/// All `now` and `measured` are of one clock that never jumps [s]; `measured` is when a message's
+/// values were new, by the age of its stamp. A message whose stamp is that of the one before counts
+/// as silence.
 class MotionGuard {
  public:
   /// `joint_names`: the joints that count; others (a gripper's) on the same stream do not.
   MotionGuard(const MotionGuardParameters& parameters, std::vector<std::string> joint_names);
 
-  void onWrench(double now, double stamp, const Wrench& wrench);
+  void onWrench(double measured, double stamp, const Wrench& wrench);
 
   /// A reading without all of the robot's joints is another device's and says nothing.
-  void onJoints(double now, const JointReading& reading);
+  void onJoints(double measured, const JointReading& reading);
 
   /// Whether the robot's own program runs, without which it takes no commands; true until told.
   void onProgram(bool running);
 
-  /// A contact observation of the wrench of this stamp.
-  void onContact(double now, double stamp) { contact_beat_.beat(now, stamp); }
+  /// A contact observation of the wrench of this stamp. It needs the object's pose at the stamp: it
+  /// is late too where tf stands still, however fresh other stamps are.
+  void onContact(double measured, double stamp) { contact_beat_.beat(measured, stamp); }
 
   /// Who commanded the motion lives and wants it to go on.
   void onSignOfLife(double now) { commander_ = now; }
@@ -101,8 +106,8 @@ class MotionGuard {
   /// When a stream last said something new.
   struct Heartbeat {
     std::optional<double> stamp;
-    double arrival = 0.0;
-    void beat(double now, double new_stamp);
+    double measured = 0.0;
+    void beat(double new_measured, double new_stamp);
   };
 
   std::string silence(double now) const;
@@ -116,6 +121,7 @@ class MotionGuard {
   Wrench wrench_;               ///< the last finite one
   JointTrajectoryPoint state_;  ///< the last finite one, in the order of joint_names_
   Heartbeat wrench_beat_, joints_beat_, contact_beat_;
+  double wrench_changed_ = 0.0;  ///< when it was last another than before
   bool program_runs_ = true;
   double commander_ = 0.0;  ///< when its last sign of life came
   std::string fault_;
