@@ -94,6 +94,7 @@ LineParameters readLine(ParameterReader reader) {
   LineParameters line;
   reader.number("settle", &line.settle, {0.0, 10.0});
   reader.number("window", &line.window.duration, {0.0, 10.0});
+  reader.number("patience", &line.patience, {0.0, 10.0});
   reader.number("min_force", &line.min_force, {1e-3, 1000.0});
   reader.number("added_direction_stddev", &line.added_direction_stddev, {0.0, M_PI});
   reader.number("added_offset_stddev", &line.added_offset_stddev, {0.0, 1.0});
@@ -202,39 +203,39 @@ double ContactSensing::meanForceStddev(int samples) const {
 std::optional<LineOfAction> ContactSensing::measureLine(const WrenchSample& raw,
                                                         ContactState state) {
   if (state != ContactState::kContact) {
-    const bool lost = average_ && !average_->given && average_->count > 0;
+    const bool lost = average_ && !average_->given && average_->wrench.count() > 0;
     auto line = lost ? averagedLine(raw.sensor_object) : std::nullopt;
     average_.reset();
     return line;
   }
+  const LineParameters& line = parameters_.line;
   if (!average_ || averaged_contact_ != detector_.contactCount()) {
-    average_ = LineAverage{};
-    average_->confirmed_at = raw.time;
+    average_ = LineAverage{raw.time, SteadyMean(line.window, parameters_.noise)};
     averaged_contact_ = detector_.contactCount();
   }
-  const LineParameters& line = parameters_.line;
   const double tolerance = 0.5 * parameters_.noise.sample_period;  // of stamps
   const double age = raw.time - average_->confirmed_at;
   if (average_->given || age < line.settle - tolerance) return std::nullopt;
-  average_->sum.force += compensated_.force;
-  average_->sum.torque += compensated_.torque;
-  ++average_->count;
-  const bool full = age >= line.settle + line.window.duration - tolerance &&
-                    average_->count >= line.window.samples;
-  return full ? averagedLine(raw.sensor_object) : std::nullopt;
+  average_->wrench.add(raw.time, compensated_);
+  if (!average_->wrench.full()) return std::nullopt;
+  const bool late = age >= line.settle + line.patience - tolerance;
+  return late || average_->wrench.steady() ? averagedLine(raw.sensor_object) : std::nullopt;
 }
 
 std::optional<LineOfAction> ContactSensing::averagedLine(const Vec3& sensor_object) {
   average_->given = true;
-  const Wrench mean{average_->sum.force / average_->count, average_->sum.torque / average_->count};
-  const Result<LineOfAction> line = lineOfAction(mean, parameters_.line.min_force);
+  const SteadyMean& average = average_->wrench;
+  const Result<LineOfAction> line = lineOfAction(average.mean(), parameters_.line.min_force);
   if (!line) return std::nullopt;
   LineOfAction result = *line;
+  const SteadyMean::Swing swing = average.swing();
+  const double force_stddev = std::hypot(meanForceStddev(average.count()), 0.5 * swing.force);
+  const double torque_stddev =
+      std::hypot(parameters_.noise.torque_stddev / std::sqrt(average.count()), 0.5 * swing.torque);
   // The force's error e turns the line about its point p nearest to the sensor, and moves this one
   // along itself by -p e / F; the torque's error shifts it across by e / F. Away from p the turn
   // shifts the line too.
-  result.direction_stddev = meanForceStddev(average_->count) / result.force;
-  const double torque_stddev = parameters_.noise.torque_stddev / std::sqrt(average_->count);
+  result.direction_stddev = force_stddev / result.force;
   const Vec3 lever = result.point - sensor_object;
   result.offset_stddev =
       std::hypot(torque_stddev / result.force, lever.norm() * result.direction_stddev);

@@ -11,6 +11,7 @@
 #include "smore/contact/contact_detector.h"
 #include "smore/contact/contact_observation.h"
 #include "smore/contact/residual_watch.h"
+#include "smore/contact/steady_mean.h"
 #include "smore/contact/wrench_compensator.h"
 
 namespace smore {
@@ -18,7 +19,8 @@ namespace smore {
 /// How the line of action of a contact is measured.
 struct LineParameters {
   double settle = 0.03;       ///< from the confirmed contact to the start of the average [s]
-  SampleWindow window{0.02};  ///< averaged; the robot stands still in contact meanwhile
+  SampleWindow window{0.02};  ///< averaged, once the wrench stands still over it
+  double patience = 0.5;      ///< after the settling a wrench is averaged that still swings [s]
   double min_force = 1.0;     ///< a mean force below gives no line [N]
   double added_direction_stddev = 0.0;  ///< artificial error of the direction, for studies [rad]
   double added_offset_stddev = 0.0;     ///< artificial error across the line, for studies [m]
@@ -38,11 +40,13 @@ ContactSensingParameters readContactSensingParameters(ParameterReader* reader);
 
 /// From raw wrench samples to contact observations: tare and weight, detection, line of action.
 ///
-/// The line is measured when the robot has stopped: averaged over `line.window`, starting
-/// `line.settle` after the contact was confirmed, so that neither inertia nor the impact is in it.
-/// It is given once in each contact. A contact that ends earlier gives the line of what there was.
-/// Its uncertainty follows from the noise of the averaged samples, from how well the bias is known,
-/// and from its lever at the sensor.
+/// The line is measured when robot and object have come to rest: `line.settle` after the contact
+/// was confirmed at the earliest, over the first `line.window` in which the wrench stands still
+/// (SteadyMean), so that neither inertia nor the impact is in it. A wrench that swings on is
+/// averaged after `line.patience`, and half of its swing counts as its error. A line is given once
+/// in each contact. A contact that ends earlier gives the line of what there was. Its uncertainty
+/// follows from the noise of the averaged samples, from how well the bias is known, and from its
+/// lever at the sensor.
 ///
 /// Windows hold more samples where the sensor's noise asks for it (allowForNoise), and the bias
 /// follows the sensor's drift in free space. Samples may come at any rate, unevenly, with gaps;
@@ -82,9 +86,8 @@ class ContactSensing {
 
  private:
   struct LineAverage {
-    double confirmed_at = 0.0;
-    Wrench sum;
-    int count = 0;
+    double confirmed_at;
+    SteadyMean wrench;
     bool given = false;
   };
 
