@@ -16,6 +16,7 @@
 #include "smore/contact/motion_guard.h"
 #include "smore/kinematics/joint_commands.h"
 #include "smore/kinematics/motion_stream.h"
+#include "smore/ros/controller_watch.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/shutdown_request.h"
@@ -75,6 +76,7 @@ class GuardNode {
     constexpr bool kLatched = true;
     guarded_ = node_.advertise<trajectory_msgs::JointTrajectory>(names::kGuardedCommand,
                                                                  names::kLatestQueue);
+    controller_.emplace(&queue_, guarded_);
     fault_ =
         private_node_.advertise<std_msgs::String>(names::kFault, names::kLatestQueue, kLatched);
     publishFault();
@@ -86,7 +88,10 @@ class GuardNode {
   void run() {
     while (!shutdown_.pending()) {
       queue_.callAvailable(period_);
-      if (stream_.active()) guard_.checkMotion(now(), stream_.expected());
+      if (stream_.active()) {
+        guard_.checkMotion(now(), stream_.expected());
+        checkController();
+      }
       guard_.check(now());
       reactToFault();
     }
@@ -143,6 +148,7 @@ class GuardNode {
 
   void onCommand(const trajectory_msgs::JointTrajectory& message) {
     if (message.points.empty()) return halt();
+    checkController();
     const auto motion = guard_.admit(now(), fromMessage(message));
     reactToFault();
     if (!motion) {
@@ -152,6 +158,11 @@ class GuardNode {
     }
     reflex_.onMotion();
     stream_.begin(*motion);
+  }
+
+  void checkController() {
+    const std::string problem = controller_->problem();
+    if (!problem.empty()) guard_.stop(problem);
   }
 
   /// Brakes from where the joints are now. Where that is not known, a motion ends with the last
@@ -227,6 +238,7 @@ class GuardNode {
   ros::Publisher guarded_, fault_;
   ros::Subscriber wrench_, joints_, contact_, command_, sign_of_life_, program_;
   ros::ServiceServer stop_, clear_;
+  std::optional<ControllerWatch> controller_;
   std::string published_;
 };
 

@@ -16,6 +16,7 @@
 #include <memory>
 #include <random>
 
+#include "robot_twin_parameters.h"
 #include "simulated_driver.h"
 #include "smore/common/delay_line.h"
 #include "smore/ros/names.h"
@@ -29,31 +30,6 @@ namespace {
 
 constexpr double kPeriod = 0.002;  // 500 Hz
 constexpr double kCatchUp = 0.1;   // [s]; what is lost beyond is not made good
-
-struct TwinParameters {
-  int seed = 1;
-  double sensor_cutoff = 0.0;  ///< [Hz]; 0: none
-  double stop_duration = 0.5;  ///< of the controller's ramp [s]
-  double latency_min = 0.002;  ///< of each way [s]
-  double latency_max = 0.002;  ///< [s]
-  double stamp_jitter = 0.0;   ///< standard deviation [s]
-  double zero_delay = 0.05;    ///< [s]
-};
-
-TwinParameters readParameters(ParameterReader* reader) {
-  TwinParameters parameters;
-  reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
-  reader->number("sensor_cutoff", &parameters.sensor_cutoff, {0.0, 1000.0});
-  reader->number("stop_duration", &parameters.stop_duration, {0.0, 5.0});
-  reader->number("latency_min", &parameters.latency_min, {0.0, 1.0});
-  reader->number("latency_max", &parameters.latency_max, {0.0, 1.0});
-  reader->number("stamp_jitter", &parameters.stamp_jitter, {0.0, 0.1});
-  reader->number("zero_delay", &parameters.zero_delay, {0.0, 10.0});
-  if (parameters.latency_max < parameters.latency_min) {
-    reader->error("latency_max", "is less than latency_min; give at least as much");
-  }
-  return parameters;
-}
 
 /// What the driver publishes for one sample.
 struct DriverSample {
@@ -103,6 +79,7 @@ class RobotTwin {
     scaling_ = node_.advertise<std_msgs::Float64>("speed_scaling_factor", 1);
     running_ =
         node_.advertise<std_msgs::Bool>("ur_hardware_interface/robot_program_running", 1, true);
+    state_ = node_.advertise<sensor_msgs::JointState>("scaled_pos_joint_traj_controller/state", 1);
     const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
     command_ = node_.subscribe("scaled_pos_joint_traj_controller/command", names::kStreamQueue,
                                &RobotTwin::onCommand, this, hints);
@@ -110,6 +87,7 @@ class RobotTwin {
     zero_ = node_.advertiseService("ur_hardware_interface/zero_ftsensor", &RobotTwin::onZero, this);
     stop_ = private_node_.advertiseService("protective_stop", &RobotTwin::onProtectiveStop, this);
     play_ = private_node_.advertiseService("play", &RobotTwin::onPlay, this);
+    run_ = private_node_.advertiseService("run_controller", &RobotTwin::onRunController, this);
     cut_ = private_node_.advertiseService("cut_network", &RobotTwin::onCutNetwork, this);
   }
 
@@ -149,6 +127,18 @@ class RobotTwin {
   bool onPlay(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
     controller_.start(robot_->jointPositions());
     publishRunning();
+    response.success = static_cast<unsigned char>(true);
+    return true;
+  }
+
+  /// As the controller manager that starts or stops the controller alone.
+  bool onRunController(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+    if (request.data != 0) {
+      controller_.start(robot_->jointPositions());
+    } else {
+      controller_.stop();
+      robot_->stop();
+    }
     response.success = static_cast<unsigned char>(true);
     return true;
   }
@@ -231,10 +221,21 @@ class RobotTwin {
   void publish(const DriverSample& sample) {
     if (!sample.poses.transforms.empty()) tf_.publish(sample.poses);
     joints_.publish(sample.joints);
+    if (controller_.running()) publishState();
     wrench_.publish(sample.wrench);
     std_msgs::Float64 scaling;
     scaling.data = slider_;
     scaling_.publish(scaling);
+  }
+
+  /// The driver's type is control_msgs', which Debian lacks; that it comes is what counts here.
+  void publishState() {
+    sensor_msgs::JointState state;
+    state.header.stamp = ros::Time::now();
+    state.name = robot_->jointNames();
+    state.position = controller_.positions();
+    state.velocity = controller_.velocities();
+    state_.publish(state);
   }
 
   static double now() { return ros::SteadyTime::now().toSec(); }
@@ -254,14 +255,14 @@ class RobotTwin {
   std::optional<double> zero_at_;  ///< when the next zeroing happens [s]
   ros::CallbackQueue queue_;
   ros::NodeHandle node_, private_node_{"~"};
-  ros::Publisher joints_, wrench_, tf_, tf_static_, scene_, scaling_, running_;
+  ros::Publisher joints_, wrench_, tf_, tf_static_, scene_, scaling_, running_, state_;
   ros::Subscriber command_, slider_topic_;
-  ros::ServiceServer zero_, stop_, play_, cut_;
+  ros::ServiceServer zero_, stop_, play_, cut_, run_;
 };
 
 void runTwin() {
   ParameterReader reader(privateParameters(), ros::this_node::getName());
-  const TwinParameters parameters = readParameters(&reader);
+  const TwinParameters parameters = readTwinParameters(&reader);
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
   reader.finish();

@@ -77,10 +77,13 @@ class Driver:
             if self.attended:
                 self._life.publish(Empty())
 
+    def stop_listening(self):
+        self._command.unregister()
+
     def close(self):
         self._end.set()
         self._thread.join()
-        self._command.unregister()
+        self.stop_listening()
 
 
 def motion(start=0.0):
@@ -246,6 +249,35 @@ class GuardNode(unittest.TestCase):
     def test_a_motion_from_where_the_arm_is_not_stops(self):
         self.command.publish(motion(start=self.driver.position + 0.5))
         self.stopped_because("from the commanded start")
+
+    def test_a_controller_that_is_missing_is_named(self):
+        self.driver.stop_listening()
+        self.passed.close()
+        self.addCleanup(self.listen_again)
+        nobody = lambda message: "nobody listens to commands on" in message.data
+        self.assertTrue(wait_until(lambda: self.fault_of_a_motion(nobody)))
+
+    def fault_of_a_motion(self, condition):
+        self.command.publish(motion(self.driver.position))
+        return self.faults.wait_for(condition, 0.1)
+
+    @classmethod
+    def listen_again(cls):
+        cls.passed = Recorder("guarded_command", JointTrajectory)
+        assert cls.passed.wait_for_publisher()
+
+    def test_a_controller_that_has_a_state_and_does_not_tell_it_is_named(self):
+        state = rospy.Publisher("controller_state", JointState, queue_size=1)
+        self.addCleanup(state.unregister)
+        self.assertTrue(wait_until(lambda: state.get_num_connections() > 0))
+        silent = lambda message: "is loaded but does not run" in message.data
+        self.assertTrue(wait_until(lambda: self.fault_of_a_motion(silent)))
+
+        def moves_while_it_tells():
+            state.publish(JointState())
+            return self.moves()
+
+        self.assertTrue(wait_until(moves_while_it_tells))
 
     def test_the_user_can_stop(self):
         self.assertTrue(self.stop().success)

@@ -39,6 +39,7 @@ class RobotTwin(unittest.TestCase):
         cls.clear = rospy.ServiceProxy("guard/clear", Trigger)
         cls.play = rospy.ServiceProxy("robot_twin/play", Trigger)
         cls.cut = rospy.ServiceProxy("robot_twin/cut_network", SetBool)
+        cls.run_controller = rospy.ServiceProxy("robot_twin/run_controller", SetBool)
         cls.protective_stop = rospy.ServiceProxy("robot_twin/protective_stop", Trigger)
 
     def begin_motion(self):
@@ -86,6 +87,16 @@ class RobotTwin(unittest.TestCase):
         self.assertTrue(self.protective_stop().success)
         self.ends_with("the robot's program does not run")
         self.assertFalse(self.clear().success, "cleared while the program does not run")
+        self.go_on()
+
+    def test_a_stopped_controller_is_named_before_anything_moves(self):
+        self.assertTrue(self.run_controller(False).success)
+        self.joints.clear()
+        self.faults.clear()
+        self.client.send_goal(RetrieveGoal())
+        self.ends_with("is loaded but does not run")
+        self.assertLess(max(speed(m) for m in self.joints.messages()), STANDS)
+        self.assertTrue(self.run_controller(True).success)
         self.go_on()
 
     def test_a_touch_stops_softly(self):

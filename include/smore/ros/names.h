@@ -13,6 +13,7 @@ constexpr char kContact[] = "contact";
 constexpr char kCommand[] = "command";
 constexpr char kSignOfLife[] = "command_attended";
 constexpr char kGuardedCommand[] = "guarded_command";
+constexpr char kControllerState[] = "controller_state";
 constexpr char kProgramRunning[] = "robot_program_running";
 constexpr char kSpeedScaling[] = "speed_scaling_factor";
 constexpr char kJointStates[] = "joint_states";

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/ros/controller_watch.h"
+
+#include <topic_tools/shape_shifter.h>
+
+#include "smore/ros/names.h"
+
+namespace smore {
+namespace {
+
+// A controller that runs tells its state far more often [s of wall time].
+constexpr double kSilence = 0.5;
+
+}  // namespace
+
+// That something comes is all that is asked, so that no definition of its type is needed: Debian
+// has no control_msgs.
+ControllerWatch::ControllerWatch(ros::CallbackQueue* queue, const ros::Publisher& commands)
+    : commands_(commands) {
+  node_.setCallbackQueue(queue);
+  const boost::function<void(const topic_tools::ShapeShifter&)> on_state =
+      [this](const topic_tools::ShapeShifter& /*state*/) { last_state_ = ros::SteadyTime::now(); };
+  state_ = node_.subscribe<topic_tools::ShapeShifter>(names::kControllerState, names::kLatestQueue,
+                                                      on_state, ros::VoidConstPtr(),
+                                                      ros::TransportHints().tcpNoDelay());
+}
+
+std::string ControllerWatch::problem() const {
+  const std::string commands = "'" + commands_.getTopic() + "'";
+  if (commands_.getNumSubscribers() == 0) {
+    return "nobody listens to commands on " + commands +
+           "; is the robot's driver up, and its controller loaded (controller_manager/"
+           "list_controllers)?";
+  }
+  const bool silent = (ros::SteadyTime::now() - last_state_).toSec() > kSilence;
+  if (state_.getNumPublishers() > 0 && silent) {
+    return "the controller that gets the commands on " + commands +
+           " is loaded but does not run: nothing comes on '" + state_.getTopic() +
+           "'; start it (controller_manager/switch_controller)";
+  }
+  return "";
+}
+
+}  // namespace smore

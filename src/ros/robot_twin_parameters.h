@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "smore/common/parameters.h"
+
+namespace smore {
+
+/// How the twin of a driver behaves; config/robot_twin.yaml explains each.
+struct TwinParameters {
+  int seed = 1;
+  double sensor_cutoff = 0.0;  ///< [Hz]; 0: none
+  double stop_duration = 0.5;  ///< of the controller's ramp [s]
+  double latency_min = 0.002;  ///< of each way [s]
+  double latency_max = 0.002;  ///< [s]
+  double stamp_jitter = 0.0;   ///< standard deviation [s]
+  double zero_delay = 0.05;    ///< [s]
+};
+
+/// Errors are noted in `reader`.
+TwinParameters readTwinParameters(ParameterReader* reader);
+
+}  // namespace smore
