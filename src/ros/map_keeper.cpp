@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/ros/map_keeper.h"
 
+#include <algorithm>
 #include <chrono>
+#include <stdexcept>
 #include <utility>
+
+#include "smore/common/result.h"
 
 namespace smore {
 
-MapKeeper::MapKeeper(std::unique_ptr<TwinMap> maps, const EvidenceSpacing& spacing)
-    : state_{std::move(maps), EvidenceLog(spacing), {}, 0, 0.0}, worker_([this] { work(); }) {}
+MapKeeper::MapKeeper(MakeMaps make_maps, const EvidenceSpacing& spacing,
+                     std::unique_ptr<EvidenceJournal> journal)
+    : make_maps_(std::move(make_maps)),
+      spacing_(spacing),
+      state_{make_maps_(), EvidenceLog(spacing), {}, 0, 0.0},
+      journal_(std::move(journal)) {
+  writeJournal([this] { journal_->begin({}); });
+  worker_ = std::thread([this] { work(); });
+}
 
 MapKeeper::~MapKeeper() {
   {
@@ -44,6 +55,37 @@ void MapKeeper::reset() {
   state_.log.restart();
   state_.lines.clear();
   state_.first_revision = state_.maps->revision();
+  writeJournal([this] { journal_->begin({}); });
+}
+
+void MapKeeper::load(const std::vector<ContactObservation>& observations) {
+  MapState loaded{make_maps_(), EvidenceLog(spacing_), {}, 0, 0.0};
+  loaded.first_revision = loaded.maps->revision();
+  int contacts = 0;
+  try {
+    for (const ContactObservation& observation : observations) {
+      contacts = std::max(contacts, observation.contact_id);
+      if (!loaded.log.add(observation)) continue;
+      loaded.maps->observe(observation);
+      if (observation.line) loaded.lines.push_back(*observation.line);
+    }
+    (void)loaded.maps->world();  // made when they are asked for, here nobody waits meanwhile
+  } catch (const std::out_of_range& error) {
+    throw InputError(std::string("an observation lies outside of the maps (") + error.what() +
+                     "); use larger voxels");
+  }
+  const std::scoped_lock lock(queue_mutex_, state_mutex_);
+  queue_.clear();
+  numbering_.continueAfter(contacts);
+  loaded.log.continueAfter(state_.log.epoch());
+  loaded.stamp = state_.stamp;
+  state_ = std::move(loaded);
+  writeJournal([this] { journal_->begin(state_.log.from(0)); });
+}
+
+std::optional<std::string> MapKeeper::takeProblem() {
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  return std::exchange(problem_, std::nullopt);
 }
 
 void MapKeeper::work() {
@@ -61,16 +103,38 @@ void MapKeeper::work() {
   }
 }
 
-void MapKeeper::take(const ContactObservation& observation) {
+void MapKeeper::take(ContactObservation observation) {
   {
     const std::lock_guard<std::mutex> lock(state_mutex_);
-    if (state_.log.add(observation)) {
-      state_.maps->observe(observation);
-      if (observation.line) state_.lines.push_back(*observation.line);
-    }
+    observation.contact_id = numbering_.numberOf(observation.contact_id);
+    learn(observation);
     state_.stamp = observation.time;
   }
   taken_.notify_all();
+}
+
+void MapKeeper::learn(const ContactObservation& observation) {
+  if (!state_.log.add(observation)) return;
+  try {
+    state_.maps->observe(observation);
+  } catch (const std::out_of_range& error) {
+    state_.log.dropLast();
+    problem_ = std::string("observation left out: it lies outside of the maps (") + error.what() +
+               "); check tf, or use larger voxels";
+    return;
+  }
+  if (observation.line) state_.lines.push_back(*observation.line);
+  writeJournal([&] { journal_->observe(observation); });
+}
+
+void MapKeeper::writeJournal(const std::function<void()>& write) {
+  if (!journal_) return;
+  try {
+    write();
+  } catch (const std::runtime_error& error) {
+    problem_ = std::string(error.what()) + "; the journal ends here";
+    journal_.reset();
+  }
 }
 
 }  // namespace smore

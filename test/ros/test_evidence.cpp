@@ -43,6 +43,10 @@ Scenario plainScenario() {
   return scenario;
 }
 
+MapKeeper::MakeMaps emptyMaps(MethodKind kind) {
+  return [kind] { return makeTwinMap(kind, plainScenario(), 1); };
+}
+
 TEST(EvidenceLog, KeepsWhatIsNewAndLeavesOutRepetitions) {
   EvidenceLog log({0.003, 0.01});
   EXPECT_TRUE(log.add(freeAt(0.0, 0.0)));
@@ -78,7 +82,7 @@ TEST(EvidenceLog, RestartBeginsANewEpoch) {
 }
 
 TEST(MapKeeper, HoldsEveryObservationUpToTheStampWaitedFor) {
-  MapKeeper keeper(makeTwinMap(MethodKind::kPaper, plainScenario(), 1), {0.003, 0.01});
+  MapKeeper keeper(emptyMaps(MethodKind::kPaper), {0.003, 0.01});
   for (int i = 0; i < 1000; ++i) keeper.push(freeAt(0.002 * i, 0.0002 * i));
   keeper.push(lineAt(3.0, 0.2, 1));
   ASSERT_TRUE(keeper.waitFor(3.0, kLongEnough));
@@ -92,7 +96,7 @@ TEST(MapKeeper, HoldsEveryObservationUpToTheStampWaitedFor) {
 }
 
 TEST(MapKeeper, ResetForgetsMapsAndEvidence) {
-  MapKeeper keeper(makeTwinMap(MethodKind::kPaper, plainScenario(), 1), {0.003, 0.01});
+  MapKeeper keeper(emptyMaps(MethodKind::kPaper), {0.003, 0.01});
   keeper.push(lineAt(1.0, 0.0, 1));
   ASSERT_TRUE(keeper.waitFor(1.0, kLongEnough));
   keeper.reset();
@@ -119,7 +123,7 @@ class Replica : public testing::TestWithParam<MethodKind> {
     ASSERT_TRUE(keeper_.waitFor(begin + 3.0, kLongEnough));
   }
 
-  MapKeeper keeper_{makeTwinMap(GetParam(), plainScenario(), 1), {0.003, 0.01}};
+  MapKeeper keeper_{emptyMaps(GetParam()), {0.003, 0.01}};
   MethodReplica replica_{GetParam(), plainScenario(), 1};
 };
 

@@ -17,6 +17,9 @@ class EvidenceLog {
   /// Appends the observation if it says something new and tells whether it did.
   bool add(const ContactObservation& observation);
 
+  /// Takes back the last entry, which a map could not take.
+  void dropLast() { entries_.pop_back(); }
+
   /// Entries from position `first` on; none where it is beyond the end.
   std::vector<ContactObservation> from(std::uint64_t first) const;
 
@@ -25,6 +28,9 @@ class EvidenceLog {
   /// Rises when the log begins anew; starts at 1.
   std::uint64_t epoch() const { return epoch_; }
   void restart();
+
+  /// Makes the epoch the one after `epoch`: this log takes the place of that one.
+  void continueAfter(std::uint64_t epoch) { epoch_ = epoch + 1; }
 
  private:
   EvidenceFilter filter_;
