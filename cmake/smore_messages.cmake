@@ -8,7 +8,8 @@ if(NOT octomap_msgs_FOUND)
 endif()
 
 add_message_files(DIRECTORY msg FILES ContactObservation.msg Evidence.msg LineOfAction.msg)
-add_service_files(DIRECTORY srv FILES CheckPose.srv PlanPath.srv PlanTouch.srv SaveMaps.srv TwinMaps.srv)
+add_service_files(DIRECTORY srv FILES CheckPose.srv LoadBelief.srv PlanPath.srv PlanTouch.srv SaveBelief.srv
+  SaveMaps.srv TwinMaps.srv)
 add_action_files(DIRECTORY action FILES Retrieve.action)
 # Headers and Python modules only.
 generate_messages(

@@ -7,8 +7,9 @@
 
 #include <filesystem>
 
+#include "mapping_parameters.h"
 #include "smore/mapping/octomap_export.h"
-#include "smore/retrieval/method.h"
+#include "smore/ros/belief_files.h"
 #include "smore/ros/map_keeper.h"
 #include "smore/ros/map_publisher.h"
 #include "smore/ros/names.h"
@@ -21,26 +22,6 @@ namespace {
 
 constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
 constexpr int kServiceThreads = 3;      // two waiting calls and the publisher
-
-struct MappingParameters {
-  FrameNames frames;
-  MethodKind method = MethodKind::kSmore;
-  int seed = 1;
-  double publish_period = 0.5;           ///< wall time [s]
-  double display_min_probability = 0.3;  ///< of the cells shown, in (0, 1]
-  double line_half_length = 1.0;         ///< of the lines shown [m]
-};
-
-MappingParameters readParameters(ParameterReader* reader) {
-  MappingParameters parameters;
-  parameters.frames = readFrameNames(reader);
-  parameters.method = readMethod(reader);
-  reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
-  reader->number("publish_period", &parameters.publish_period, {0.01, 60.0});
-  reader->number("display_min_probability", &parameters.display_min_probability, {1e-6, 1.0});
-  reader->number("line_half_length", &parameters.line_half_length, {0.01, 100.0});
-  return parameters;
-}
 
 /// Free poses count in the maps and in the evidence from a tenth of a voxel on.
 EvidenceSpacing spacingFor(const Scenario& scenario) {
@@ -55,18 +36,30 @@ ros::Time timeOf(double stamp) {
   return time.fromSec(stamp);
 }
 
+std::unique_ptr<EvidenceJournal> makeJournal(const MappingParameters& parameters,
+                                             const Scenario& scenario) {
+  const auto directory = journalOf(parameters);
+  if (!directory) return nullptr;
+  return std::make_unique<EvidenceJournal>(*directory, sourceOf(parameters, scenario));
+}
+
 /// Observations come in on the main thread and are handed to the keeper; services and publishing
 /// have threads of their own, since they wait for it.
 class MappingNode {
  public:
   MappingNode(const MappingParameters& parameters, const Scenario& scenario)
       : parameters_(parameters),
-        keeper_(makeTwinMap(parameters.method, scenario, parameters.seed), spacingFor(scenario)),
+        earlier_(earlierEvidence(parameters)),
+        keeper_([parameters,
+                 scenario] { return makeTwinMap(parameters.method, scenario, parameters.seed); },
+                spacingFor(scenario), makeJournal(parameters, scenario)),
+        files_(belowRosHome(parameters.beliefs), sourceOf(parameters, scenario)),
         service_node_(makeServiceNode()),
         world_(service_node_, names::kWorldMap, parameters.frames.world,
                {Vec3::Zero(), Vec3::Ones()}, parameters.display_min_probability),
         object_(service_node_, names::kObjectMap, parameters.frames.object,
                 {Vec3::UnitY(), Vec3::UnitX()}, parameters.display_min_probability) {
+    if (earlier_) ROS_INFO_STREAM(files_.loadFrom(*earlier_, &keeper_));
     contact_ = node_.subscribe(names::kContact, names::kObservationQueue, &MappingNode::onContact,
                                this, ros::TransportHints().tcpNoDelay());
     lines_ = service_node_.advertise<visualization_msgs::MarkerArray>(names::kContactLines,
@@ -97,6 +90,8 @@ class MappingNode {
         service_node_.advertiseService(names::kTwinMaps, &MappingNode::onTwinMaps, this),
         service_node_.advertiseService(names::kResetMaps, &MappingNode::onReset, this),
         service_node_.advertiseService(names::kSaveMaps, &MappingNode::onSave, this),
+        service_node_.advertiseService(names::kSaveBelief, &MappingNode::onSaveBelief, this),
+        service_node_.advertiseService(names::kLoadBelief, &MappingNode::onLoadBelief, this),
         offerOctomap(names::kWorldMap, names::kOctomapFull, &fullOctomap),
         offerOctomap(names::kWorldMap, names::kOctomapBinary, &binaryOctomap),
         offerOctomap(names::kObjectMap, names::kOctomapFull, &fullOctomap),
@@ -196,7 +191,33 @@ class MappingNode {
            object->write((directory / "object.ot").string());
   }
 
+  bool onSaveBelief(smore_msgs::SaveBelief::Request& request,
+                    smore_msgs::SaveBelief::Response& response) {
+    response.success = tell(&response.message, [&] {
+      return "wrote " + files_.save(keeper_, request.file, request.overwrite);
+    });
+    return true;
+  }
+
+  bool onLoadBelief(smore_msgs::LoadBelief::Request& request,
+                    smore_msgs::LoadBelief::Response& response) {
+    response.success = tell(&response.message, [&] { return files_.load(request.file, &keeper_); });
+    return true;
+  }
+
+  /// Whether `act` succeeds; what it says, or the reason why not.
+  static bool tell(std::string* message, const std::function<std::string()>& act) {
+    try {
+      *message = act();
+      return true;
+    } catch (const std::runtime_error& error) {
+      *message = error.what();
+      return false;
+    }
+  }
+
   void onTimer(const ros::WallTimerEvent& /*event*/) {
+    if (const auto problem = keeper_.takeProblem()) ROS_ERROR_STREAM(*problem);
     std::optional<VoxelGrid> world, object;
     std::vector<LineOfAction> lines;
     std::uint64_t revision = 0;
@@ -220,7 +241,9 @@ class MappingNode {
   }
 
   MappingParameters parameters_;
+  std::optional<std::string> earlier_;  ///< sought before the keeper begins a journal
   MapKeeper keeper_;
+  BeliefFiles files_;
   ros::CallbackQueue service_queue_;
   ros::NodeHandle node_;
   ros::NodeHandle service_node_;
@@ -235,7 +258,7 @@ class MappingNode {
 
 void runMapping() {
   ParameterReader reader(privateParameters(), ros::this_node::getName());
-  const MappingParameters parameters = readParameters(&reader);
+  const MappingParameters parameters = readMappingParameters(&reader);
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
   reader.finish();

@@ -20,9 +20,11 @@
 #include <smore/ContactObservation.h>
 #include <smore/Evidence.h>
 #include <smore/LineOfAction.h>
+#include <smore/LoadBelief.h>
 #include <smore/PlanPath.h>
 #include <smore/PlanTouch.h>
 #include <smore/RetrieveAction.h>
+#include <smore/SaveBelief.h>
 #include <smore/SaveMaps.h>
 #include <smore/TwinMaps.h>
 #undef smore

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/ros/belief_files.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <utility>
+
+#include "smore/common/result.h"
+
+namespace smore {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != '\0' ? value : nullptr;
+}
+
+std::string motionName(Motion motion) { return motion == Motion::kPlanar ? "planar" : "spatial"; }
+
+}  // namespace
+
+std::string belowRosHome(const std::string& path) {
+  if (const char* ros_home = variable("ROS_HOME")) return (fs::path(ros_home) / path).string();
+  const char* home = variable("HOME");
+  return (fs::path(home != nullptr ? home : "/") / ".ros" / path).string();
+}
+
+BeliefFiles::BeliefFiles(std::string folder, EvidenceSource source)
+    : folder_(std::move(folder)), source_(std::move(source)) {}
+
+std::string BeliefFiles::save(const MapKeeper& keeper, const std::string& name,
+                              bool overwrite) const {
+  std::string file = pathOf(name);
+  if (!overwrite && fs::exists(file)) {
+    throw InputError("'" + file + "' is there already; give another name, or set overwrite");
+  }
+  std::error_code problem;
+  fs::create_directories(fs::path(file).parent_path(), problem);
+  std::vector<ContactObservation> observations;
+  keeper.access([&](const MapState& state) { observations = state.log.from(0); });
+  writeEvidence(file, source_, observations);
+  return file;
+}
+
+std::string BeliefFiles::load(const std::string& name, MapKeeper* keeper) const {
+  return loadFrom(pathOf(name), keeper);
+}
+
+std::string BeliefFiles::loadFrom(const std::string& file, MapKeeper* keeper) const {
+  const Evidence evidence = readEvidence(file, MethodParameters{});  // the node has its own
+  const Motion motion = evidence.source.task.motion;
+  if (motion != source_.task.motion) {
+    throw InputError(file + ": recorded in " + motionName(motion) + " motion, this task is " +
+                     motionName(source_.task.motion) + "; load evidence of the same kind");
+  }
+  keeper->load(evidence.observations);
+  const auto lines = std::count_if(evidence.observations.begin(), evidence.observations.end(),
+                                   [](const auto& observation) { return bool(observation.line); });
+  return "loaded " + std::to_string(evidence.observations.size()) + " observations with " +
+         std::to_string(lines) + " lines of action from " + file +
+         (evidence.whole ? "" : "; its last record was cut and is left out");
+}
+
+std::string BeliefFiles::pathOf(const std::string& name) const {
+  const fs::path given(name);
+  const bool leaves = std::find(given.begin(), given.end(), "..") != given.end();
+  if (given.filename().empty() || given.is_absolute() || leaves) {
+    throw InputError("'" + name + "' is not the name of a file below " + folder_ +
+                     "; give a relative path without '..'");
+  }
+  fs::path path = fs::path(folder_) / given;
+  if (path.extension() != ".evidence") path += ".evidence";
+  return path.string();
+}
+
+}  // namespace smore
