@@ -2,7 +2,7 @@
 """The solids of a scenario as triangles, and their outlines in a plane."""
 import numpy as np
 
-from scene_file import read_scene
+from scene_file import SceneFileError, read_scene
 
 MASK_CELL = 0.002  # of the grids that outlines are drawn from [m]
 
@@ -46,6 +46,8 @@ class Scene:
         self.planar = settings["motion"] == "planar"
         self.start = pose_of(settings["start"])
         self.goal = pose_of(settings["goal"])
+        if "object" not in settings:
+            raise SceneFileError(f"{self.name} is a task: it has no object and no environment to draw")
         self.object = triangles_of(settings["object"])
         self.environment = triangles_of(settings["environment"])
 

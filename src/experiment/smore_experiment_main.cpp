@@ -137,12 +137,16 @@ int run(Arguments arguments) {
     arguments.parameters.method_parameters =
         smore::loadMethodParameters(arguments.method_parameters);
   }
-  (void)smore::makeSimulatedRobot(scenario, arguments.parameters.seed);  // refuses what cannot be
+  const bool for_real_robots = arguments.validate && !scenario.hasScene();
+  if (!for_real_robots) {
+    (void)smore::makeSimulatedRobot(scenario, arguments.parameters.seed);  // refuses what cannot be
+  }
   if (arguments.validate) {
     const bool told =
         arguments.output.empty() || writeFile(smore::toJson(scenario), arguments.output);
     if (!told) std::cerr << arguments.output << ": cannot be written" << std::endl;
-    std::cerr << file << ": valid" << decompositions(scenario) << std::endl;
+    std::cerr << file << ": valid" << (for_real_robots ? ", a task for a real robot" : "")
+              << decompositions(scenario) << std::endl;
     return told ? 0 : kInternalError;
   }
   if (!canWriteOutputs(arguments)) return kInternalError;

@@ -8,6 +8,7 @@
 
 #include "shape_reader.h"
 #include "smore/common/parameters.h"
+#include "smore/common/result.h"
 #include "smore/common/yaml_file.h"
 
 namespace smore {
@@ -89,6 +90,15 @@ void readWorkspace(ParameterReader* reader, Bounds* workspace) {
   if ((workspace->min.array() > workspace->max.array()).any()) {
     reader->error("workspace", "min is above max; give min first on every axis");
   }
+}
+
+// A task has neither; where one is given the other one is missed.
+void readScene(ParameterReader* reader, const std::string& directory, Scenario* scenario) {
+  const bool has_object = reader->has("object");
+  const bool has_environment = reader->has("environment");
+  if (!has_object && !has_environment) return;
+  scenario->object = readShapes(reader, "object", directory, true);
+  scenario->environment = readShapes(reader, "environment", directory, false);
 }
 
 void readContact(ParameterReader* reader, Scenario* scenario) {
@@ -176,6 +186,13 @@ Bounds regionOfContacts(const Scenario& scenario) {
   return {scenario.workspace.min - reach, scenario.workspace.max + reach};
 }
 
+void requireScene(const Scenario& scenario) {
+  if (scenario.hasScene()) return;
+  throw InputError("scenario " + scenario.name +
+                   ": object, environment: missing; without shapes it is a task for a real robot "
+                   "(robot.launch), give the shapes of both to simulate it");
+}
+
 bool tiltsPayload(const Scenario& scenario) {
   return scenario.robot == RobotKind::kUr5e && scenario.motion == Motion::kSpatial;
 }
@@ -185,8 +202,7 @@ Scenario loadScenario(const std::string& file) {
   const std::string directory = file.substr(0, file.find_last_of('/') + 1);
   Scenario scenario;
   readTask(&reader, &scenario);
-  scenario.object = readShapes(&reader, "object", directory, true);
-  scenario.environment = readShapes(&reader, "environment", directory, false);
+  readScene(&reader, directory, &scenario);
   readWorkspace(&reader, &scenario.workspace);
   readContact(&reader, &scenario);
   readTrial(&reader, &scenario);

@@ -74,14 +74,12 @@ Json noiseJson(const WrenchNoise& noise) {
 }  // namespace
 
 std::string toJson(const Scenario& s) {
-  const Json json{
+  Json json{
       {"name", s.name},
       {"task", s.task == Task::kRetrieve ? "retrieve" : "reconstruct"},
       {"voxel_size", s.voxel_size},
       {"motion", s.motion == Motion::kPlanar ? "planar" : "spatial"},
       {"robot", s.robot == RobotKind::kCartesian ? "cartesian" : "ur5e"},
-      {"object", bodyJson(s.object)},
-      {"environment", bodyJson(s.environment)},
       {"start", poseJson(s.start)},
       {"goal", poseJson(s.goal)},
       {"workspace", {{"min", toJson(s.workspace.min)}, {"max", toJson(s.workspace.max)}}},
@@ -99,6 +97,10 @@ std::string toJson(const Scenario& s) {
       {"object_mass", s.object_mass},
       {"robot_base", poseJson(s.T_world_base)},
       {"gripper_object", poseJson(s.T_gripper_object)}};
+  if (s.hasScene()) {
+    json["object"] = bodyJson(s.object);
+    json["environment"] = bodyJson(s.environment);
+  }
   return json.dump();
 }
 

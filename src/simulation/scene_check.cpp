@@ -79,7 +79,10 @@ class SceneCheck::Impl {
   SolidDistance distance_;          ///< to the environment
 };
 
-SceneCheck::SceneCheck(const Scenario& scenario) : impl_(std::make_unique<Impl>(scenario)) {}
+SceneCheck::SceneCheck(const Scenario& scenario) {
+  requireScene(scenario);
+  impl_ = std::make_unique<Impl>(scenario);
+}
 
 SceneCheck::~SceneCheck() = default;
 

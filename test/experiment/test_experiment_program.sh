@@ -34,6 +34,9 @@ expect 2 "tusk: unknown key" --scenario "$directory/bad.yaml"
 sed 's/start: {position: \[0, 0, 0\]/start: {position: [0.15, 0, 0]/' "$reference" >"$directory/touching.yaml"
 expect 2 "start" --scenario "$directory/touching.yaml" --validate
 expect 0 "valid" --scenario "$reference" --validate
+task=$scenarios/../tasks/ur5e.yaml
+expect 0 "valid, a task for a real robot" --scenario "$task" --validate
+expect 2 "object, environment: missing; without shapes it is a task" --scenario "$task"
 echo 'belief: {radios: 0.02}' >"$directory/parameters.yaml"
 echo 'belief: {}' >"$directory/no_parameters.yaml"
 expect 2 "belief.radios: unknown key" --scenario "$reference" --parameters "$directory/parameters.yaml"

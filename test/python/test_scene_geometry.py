@@ -92,6 +92,10 @@ class SceneGeometryTest(unittest.TestCase):
         with self.assertRaisesRegex(SceneFileError, "looks like degrees"):
             Scene(CASES / "degrees/degrees.yaml")
 
+    def test_a_task_has_nothing_to_draw(self):
+        with self.assertRaisesRegex(SceneFileError, "ur5e is a task"):
+            Scene(ROOT / "config/tasks/ur5e.yaml")
+
     def test_a_scene_written_before_is_the_same(self):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "scene.json")

@@ -78,6 +78,18 @@ class Parameters(unittest.TestCase):
             with self.subTest(node=node):
                 self.refused(node, parameters, "/nowhere/scene.yaml")
 
+    def test_what_simulates_refuses_a_task_in_one_line(self):
+        tasks = {"simulator": f"{PACKAGE}/test/ros/small_task.yaml", "robot_twin": f"{PACKAGE}/config/tasks/ur5e.yaml"}
+        for node, task in tasks.items():
+            parameters = shipped(node)
+            parameters["scenario"] = task
+            with self.subTest(node=node):
+                code, output = run(node, parameters)
+                self.assertEqual(code, 2, output)
+                fatal = [line for line in output.splitlines() if "[FATAL]" in line]
+                self.assertEqual(len(fatal), 1, output)
+                self.assertIn("object, environment: missing; without shapes it is a task", fatal[0])
+
     def test_a_threshold_other_than_the_scenarios_is_refused(self):
         parameters = shipped("force_torque")
         parameters["detector"]["contact_force"] = 7.0

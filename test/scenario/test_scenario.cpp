@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "meshes.h"
 #include "smore/common/result.h"
 #include "smore/scenario/scenario.h"
+#include "smore/scenario/scenario_json.h"
 #include "temporary_directory.h"
 
 namespace smore {
@@ -119,12 +121,33 @@ gripper_object: {position: [4, 5, 6], rpy: [0, 0, 1]}
 
 TEST_F(ScenarioTest, allProblemsAreReportedAtOnce) {
   const std::string problem = problemOf("name: x\nfrction: 0.3\nvoxel_size: -1\ntask: fetch\n");
-  for (const char* part :
-       {"frction: unknown key", "voxel_size: '-1' is out of range", "task: expected",
-        "motion: missing", "robot: missing", "object: missing", "start: missing",
-        "environment: missing", "goal: missing", "workspace: missing"}) {
+  for (const char* part : {"frction: unknown key", "voxel_size: '-1' is out of range",
+                           "task: expected", "motion: missing", "robot: missing", "start: missing",
+                           "goal: missing", "workspace: missing"}) {
     EXPECT_NE(problem.find(part), std::string::npos) << part << " in:\n" << problem;
   }
+}
+
+TEST_F(ScenarioTest, withoutObjectAndEnvironmentItIsATask) {
+  const Scenario task = load(std::string(kHead) + kPoses + kWorkspace + "speed: {linear: 0.02}\n");
+  EXPECT_FALSE(task.hasScene());
+  EXPECT_TRUE(load(minimal()).hasScene());
+  EXPECT_DOUBLE_EQ(task.linear_speed, 0.02);
+  EXPECT_EQ(nlohmann::json::parse(toJson(task)).count("object"), 0u);
+  EXPECT_EQ(nlohmann::json::parse(toJson(load(minimal()))).count("object"), 1u);
+  EXPECT_NO_THROW(requireScene(load(minimal())));
+  try {
+    requireScene(task);
+    FAIL() << "nobody can simulate a task";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("small: object, environment: missing"),
+              std::string::npos);
+  }
+}
+
+TEST_F(ScenarioTest, anObjectWithoutAnEnvironmentOrTheReverseIsAProblem) {
+  expectProblem(replaced(minimal(), kObject, ""), "object: missing");
+  expectProblem(replaced(minimal(), kEnvironment, ""), "environment: missing");
 }
 
 TEST_F(ScenarioTest, impossibleValuesAreProblems) {
@@ -219,15 +242,23 @@ TEST_F(ScenarioTest, whatTheOctreesCannotHoldIsAProblem) {
   expectProblem(replaced(fine, "min: [-2,", "min: [-31,"), "raise voxel_size");
 }
 
-TEST(ShippedScenarios, allLoadAndAreNamedAsTheirFiles) {
+// Loads each file of a shipped folder; of these, how many there are.
+int countOfFiles(const std::string& folder, bool with_scene) {
   int count = 0;
-  const std::filesystem::path directory = SMORE_SOURCE_DIR "/config/scenarios";
+  const std::filesystem::path directory = SMORE_SOURCE_DIR "/config/" + folder;
   for (const auto& entry : std::filesystem::directory_iterator(directory)) {
     if (entry.path().extension() != ".yaml") continue;
-    EXPECT_EQ(loadScenario(entry.path().string()).name, entry.path().stem().string());
+    const Scenario scenario = loadScenario(entry.path().string());
+    EXPECT_EQ(scenario.name, entry.path().stem().string());
+    EXPECT_EQ(scenario.hasScene(), with_scene) << scenario.name;
     ++count;
   }
-  EXPECT_GT(count, 0);
+  return count;
+}
+
+TEST(ShippedScenarios, allLoadAndAreNamedAsTheirFiles) {
+  EXPECT_GT(countOfFiles("scenarios", true), 0);
+  EXPECT_GT(countOfFiles("tasks", false), 0);
 }
 
 }  // namespace

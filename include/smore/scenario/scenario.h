@@ -36,15 +36,16 @@ struct Perturbation {
   double angle = 0.0;     ///< turn of the object in the hand about its origin [rad]
 };
 
-/// A scene and a task, as a scenario file describes them (docs/scenarios.md). SI units, radians.
+/// A scene and a task, as a scenario file describes them (docs/scenarios.md), or a task alone: a
+/// real robot's object and environment are unknown. SI units, radians.
 struct Scenario {
   std::string name;
   Task task = Task::kRetrieve;
   double voxel_size = 0.03;  ///< [m]
   Motion motion = Motion::kPlanar;
   RobotKind robot = RobotKind::kCartesian;
-  std::vector<Shape> object;              ///< poses in the object frame
-  std::vector<Shape> environment;         ///< poses in the world frame
+  std::vector<Shape> object;              ///< poses in the object frame; empty: a task
+  std::vector<Shape> environment;         ///< poses in the world frame; empty: a task
   Pose start = Pose::Identity();          ///< T_world_object
   Pose goal = Pose::Identity();           ///< T_world_object
   double goal_position_tolerance = 0.02;  ///< [m]
@@ -64,6 +65,9 @@ struct Scenario {
   Pose T_world_base = Pose::Identity();      ///< ur5e only: base_link
   Pose T_gripper_object = Pose::Identity();  ///< ur5e only: object frame in the grasp frame
 
+  /// False for a task alone.
+  bool hasScene() const { return !object.empty() && !environment.empty(); }
+
   MotionSpace motionSpace() const {
     return {motion, start, workspace, robot == RobotKind::kCartesian};
   }
@@ -76,15 +80,19 @@ double reachOf(const std::vector<Shape>& object);
 /// reach.
 Bounds regionOfContacts(const Scenario& scenario);
 
+/// InputError where the scenario is a task alone, which nobody can simulate.
+void requireScene(const Scenario& scenario);
+
 /// Whether the robot turns what its sensor carries against gravity, so that its weight must be
 /// known: an arm's motions in space. What moves in the plane is tared, and the simulated Cartesian
 /// robot carries nothing.
 bool tiltsPayload(const Scenario& scenario);
 
-/// Reads a scenario file. InputError with every problem, one a line (file, key, remedy): unreadable
-/// or malformed files, unknown or missing keys, impossible values, start or goal outside of the
-/// workspace, a workspace beyond the octrees' keys. Whether start and goal are free of contact is
-/// checked by the simulation, which knows the shapes' geometry.
+/// Reads a scenario or a task: a file without `object` and `environment`. InputError with every
+/// problem, one a line (file, key, remedy): unreadable or malformed files, unknown or missing keys,
+/// impossible values, start or goal outside of the workspace, a workspace beyond the octrees' keys.
+/// Whether start and goal are free of contact is checked by the simulation, which knows the shapes'
+/// geometry.
 Scenario loadScenario(const std::string& file);
 
 }  // namespace smore

@@ -10,6 +10,7 @@ namespace smore {
 /// Tells whether the object touches the environment of a scenario, by Bullet's geometry.
 class SceneCheck {
  public:
+  /// InputError for a task without a scene.
   explicit SceneCheck(const Scenario& scenario);
   ~SceneCheck();
 
@@ -21,7 +22,8 @@ class SceneCheck {
   std::unique_ptr<Impl> impl_;
 };
 
-/// InputError where start or goal touch the environment: which of them, and what to change.
+/// InputError for a task without a scene, and where start or goal touch the environment: which of
+/// them, and what to change.
 void checkStartAndGoalFree(const Scenario& scenario);
 
 }  // namespace smore
