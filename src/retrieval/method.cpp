@@ -102,9 +102,9 @@ std::string methodName(MethodKind kind) {
   return "unknown";
 }
 
-std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario,
-                                     std::uint64_t seed) {
-  if (kind == MethodKind::kSmore) return makeJointBelief(scenario, seed, {});
+std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
+                                     const JointBeliefParameters& parameters) {
+  if (kind == MethodKind::kSmore) return makeJointBelief(scenario, seed, parameters);
   return makeSequentialBelief(scenario);
 }
 

@@ -95,8 +95,9 @@ std::vector<ParameterSection> parameterSections(MethodParameters* parameters) {
   return {beliefSection(&parameters->belief), plannerSection(&parameters->planner)};
 }
 
-MethodParameters readMethodParameters(const YAML::Node& mapping, const std::string& source) {
-  MethodParameters parameters;
+MethodParameters readMethodParameters(const YAML::Node& mapping, const std::string& source,
+                                      const MethodParameters& defaults) {
+  MethodParameters parameters = defaults;
   ParameterReader reader(mapping, source);
   for (const ParameterSection& section : parameterSections(&parameters)) {
     if (!reader.has(section.name)) continue;
@@ -109,8 +110,8 @@ MethodParameters readMethodParameters(const YAML::Node& mapping, const std::stri
   return parameters;
 }
 
-MethodParameters loadMethodParameters(const std::string& file) {
-  return readMethodParameters(loadYaml(file), file);
+MethodParameters loadMethodParameters(const std::string& file, const MethodParameters& defaults) {
+  return readMethodParameters(loadYaml(file), file, defaults);
 }
 
 Json toJson(MethodParameters parameters) {

@@ -50,9 +50,12 @@ class MappingNode {
   MappingNode(const MappingParameters& parameters, const Scenario& scenario)
       : parameters_(parameters),
         earlier_(earlierEvidence(parameters)),
-        keeper_([parameters,
-                 scenario] { return makeTwinMap(parameters.method, scenario, parameters.seed); },
-                spacingFor(scenario), makeJournal(parameters, scenario)),
+        keeper_(
+            [parameters, scenario] {
+              return makeTwinMap(parameters.method, scenario, parameters.seed,
+                                 parameters.method_parameters.belief);
+            },
+            spacingFor(scenario), makeJournal(parameters, scenario)),
         files_(belowRosHome(parameters.beliefs), sourceOf(parameters, scenario)),
         service_node_(makeServiceNode()),
         world_(service_node_, names::kWorldMap, parameters.frames.world,

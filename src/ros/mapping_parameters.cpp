@@ -25,6 +25,7 @@ MappingParameters readMappingParameters(ParameterReader* reader) {
   MappingParameters parameters;
   parameters.frames = readFrameNames(reader);
   parameters.method = readMethod(reader);
+  parameters.method_parameters = readMethodChanges(reader, parameters.method);
   reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
   reader->number("publish_period", &parameters.publish_period, {0.01, 60.0});
   reader->number("display_min_probability", &parameters.display_min_probability, {1e-6, 1.0});
@@ -41,6 +42,7 @@ EvidenceSource sourceOf(const MappingParameters& parameters, const Scenario& sce
   EvidenceSource source;
   source.task = scenario;
   source.method = parameters.method;
+  source.parameters = parameters.method_parameters;
   source.seed = static_cast<std::uint64_t>(parameters.seed);
   return source;
 }

@@ -14,6 +14,7 @@ namespace smore {
 struct MappingParameters {
   FrameNames frames;
   MethodKind method = MethodKind::kSmore;
+  MethodParameters method_parameters;  ///< of the method smore
   int seed = 1;
   double publish_period = 0.5;            ///< wall time [s]
   double display_min_probability = 0.3;   ///< of the cells shown, in (0, 1]

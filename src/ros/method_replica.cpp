@@ -10,9 +10,8 @@
 namespace smore {
 
 MethodReplica::MethodReplica(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
-                             const RiskPlannerParameters& planner)
-    : kind_(kind), scenario_(scenario), seed_(seed) {
-  parameters_.planner = planner;
+                             const MethodParameters& parameters)
+    : kind_(kind), scenario_(scenario), seed_(seed), parameters_(parameters) {
   method_ = makeMethod(kind_, scenario_, seed_, parameters_);
   first_revision_ = method_.maps->revision();
 }

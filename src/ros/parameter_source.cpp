@@ -91,6 +91,22 @@ MethodKind readMethod(ParameterReader* reader) {
   return kinds[index];
 }
 
+MethodParameters readMethodChanges(ParameterReader* reader, MethodKind method,
+                                   const MethodParameters& defaults) {
+  if (!reader->has("parameters")) return defaults;
+  std::string file;
+  reader->text("parameters", &file);
+  if (method != MethodKind::kSmore) {
+    reader->error("parameters", "only the method smore takes them; leave it out or use smore");
+  }
+  try {
+    return loadMethodParameters(file, defaults);
+  } catch (const InputError& error) {
+    reader->error("parameters", error.what());
+    return defaults;
+  }
+}
+
 FrameNames readFrameNames(ParameterReader* reader) {
   FrameNames frames;
   reader->text("world_frame", &frames.world);

@@ -21,7 +21,7 @@ struct PlannerNodeParameters {
   MethodKind method = MethodKind::kSmore;
   int seed = 1;
   double maps_timeout = 30.0;  ///< wall time to wait for maps that are new enough [s]
-  RiskPlannerParameters search;
+  MethodParameters smore;      ///< of the method smore
 };
 
 PlannerNodeParameters readParameters(ParameterReader* reader) {
@@ -30,7 +30,9 @@ PlannerNodeParameters readParameters(ParameterReader* reader) {
   parameters.method = readMethod(reader);
   reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
   reader->number("maps_timeout", &parameters.maps_timeout, {0.1, 3600.0});
-  reader->number("time_limit", &parameters.search.time_limit, {0.01, 3600.0});
+  MethodParameters defaults;
+  reader->number("time_limit", &defaults.planner.time_limit, {0.01, 3600.0});
+  parameters.method_parameters = readMethodChanges(reader, parameters.method, defaults);
   return parameters;
 }
 
@@ -55,7 +57,7 @@ class PlannerNode {
       : parameters_(parameters),
         start_(scenario.start),
         space_(scenario.motionSpace()),
-        replica_(parameters.method, scenario, parameters.seed, parameters.search) {
+        replica_(parameters.method, scenario, parameters.seed, parameters.method_parameters) {
     maps_ = node_.serviceClient<smore_msgs::TwinMaps>(names::kTwinMaps);
     path_ = node_.advertise<nav_msgs::Path>(names::kPath, names::kLatestQueue, true);
     markers_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPathMarkers,
@@ -89,8 +91,7 @@ class PlannerNode {
       if (replica_.extend(*part)) return "";
     }
     return "the planner's maps differ from the mapping's; give both nodes the same scenario, "
-           "method "
-           "and seed";
+           "method, parameters and seed";
   }
 
   bool onPlan(smore_msgs::PlanPath::Request& request, smore_msgs::PlanPath::Response& response) {

@@ -42,6 +42,15 @@ TEST_F(MethodParametersFile, ChangesWhatItNamesAndKeepsTheRest) {
   EXPECT_EQ(parameters.planner.paths, RiskPlannerParameters{}.paths);
 }
 
+TEST_F(MethodParametersFile, ChangesTheDefaultsOfTheCaller) {
+  load("belief: {radius: 0.3}");
+  MethodParameters defaults;
+  defaults.planner.time_limit = 2.0;
+  EXPECT_EQ(loadMethodParameters(file_, defaults).planner.time_limit, 2.0);
+  load("planner: {time_limit: 7}");
+  EXPECT_EQ(loadMethodParameters(file_, defaults).planner.time_limit, 7.0);
+}
+
 TEST_F(MethodParametersFile, TellsAllErrorsAtOnce) {
   const std::string errors =
       errorsOf("belief: {radius: -1, sweeps: 1.5, speed: 3}\nplanner: {paths: many}\nextra: 1");

@@ -3,6 +3,7 @@
 """Each node refuses bad parameters: all problems at once, exit code 2."""
 
 import subprocess
+import tempfile
 import unittest
 
 import rospkg
@@ -100,6 +101,23 @@ class Parameters(unittest.TestCase):
         parameters["lag_samples"] = -1
         parameters["clock_period"] = "often"
         self.refused("simulator", parameters, "lag_samples", "clock_period")
+
+    def test_a_file_of_parameters_is_read_as_the_programs_read_it(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+            file.write("belief: {radios: 0.3, sweeps: many}\nplanner: {paths: 0}\n")
+            file.flush()
+            for node in ("mapping", "planner"):
+                parameters = shipped(node)
+                parameters["method"] = "smore"
+                parameters["parameters"] = file.name
+                with self.subTest(node=node):
+                    self.refused(
+                        node, parameters, "belief.radios: unknown key", "belief.sweeps", "planner.paths"
+                    )
+                    parameters["method"] = "paper"
+                    self.refused(node, parameters, "only the method smore takes them")
+                    parameters["parameters"] = "/nowhere/parameters.yaml"
+                    self.refused(node, parameters, "/nowhere/parameters.yaml: cannot be read")
 
     def test_an_unknown_method_is_refused(self):
         for node in NEEDS_METHOD:

@@ -41,8 +41,9 @@ struct Method {
 };
 
 /// The twin map of a method. What it may know of the scenario: voxel size, workspace, motion, and
-/// the sensor's declared noise; never the shapes.
-std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario, std::uint64_t seed);
+/// the sensor's declared noise; never the shapes. Only smore uses `parameters`.
+std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
+                                     const JointBeliefParameters& parameters = {});
 
 /// A whole method; `seed` makes its random choices repeatable. Only smore uses `parameters`.
 Method makeMethod(MethodKind kind, const Scenario& scenario, std::uint64_t seed,

@@ -38,10 +38,12 @@ std::vector<ParameterSection> parameterSections(MethodParameters* parameters);
 
 /// The defaults, changed by what a YAML file sets. InputError with all problems of the file:
 /// unknown keys, wrong types, values out of range.
-MethodParameters loadMethodParameters(const std::string& file);
+MethodParameters loadMethodParameters(const std::string& file,
+                                      const MethodParameters& defaults = {});
 
 /// The same from a mapping that was parsed already; `source` names it in messages.
-MethodParameters readMethodParameters(const YAML::Node& mapping, const std::string& source);
+MethodParameters readMethodParameters(const YAML::Node& mapping, const std::string& source,
+                                      const MethodParameters& defaults = {});
 
 /// All parameters, in the form in which they are read.
 Json toJson(MethodParameters parameters);

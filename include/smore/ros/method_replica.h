@@ -27,9 +27,9 @@ struct PoseAssessment {
 /// The same belief as in a mapping node, made from the same evidence, with a planner on it.
 class MethodReplica {
  public:
-  /// `planner`: what the method smore plans with.
+  /// `parameters`: of the method smore; those of the belief must be the mapping's.
   MethodReplica(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
-                const RiskPlannerParameters& planner = {});
+                const MethodParameters& parameters = {});
 
   /// What to ask the mapping for.
   std::uint64_t epoch() const { return epoch_; }

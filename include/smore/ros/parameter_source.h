@@ -32,6 +32,12 @@ void requireScenario(ParameterReader* reader);
 /// Reads the key `method`: paper, cspace or smore.
 MethodKind readMethod(ParameterReader* reader);
 
+/// `defaults`, changed by the file that the optional key `parameters` names, as the option
+/// --parameters of the programs does it (docs/experiments.md). What is wrong with the file is noted
+/// in `reader`, and where `method` takes none.
+MethodParameters readMethodChanges(ParameterReader* reader, MethodKind method,
+                                   const MethodParameters& defaults = {});
+
 /// Reads the keys `world_frame` and `object_frame`.
 FrameNames readFrameNames(ParameterReader* reader);
 
