@@ -190,6 +190,25 @@ class RetrievalNode(unittest.TestCase):
         self.assertTrue(again.success, again.message)
         self.assertTrue(self.never_moved())
 
+    def test_a_cancel_at_any_time_before_the_plan_has_come_is_told_as_one_and_nothing_moves(self):
+        def is_active():
+            return self.client.get_state() == GoalStatus.ACTIVE
+
+        phases = [lambda: True, is_active, lambda: is_active() and self.requests]
+        self.may_answer.clear()
+        with FakeArm():
+            for has_begun in phases * 5:
+                self.requests.clear()
+                self.client.send_goal(RetrieveGoal())
+                self.assertTrue(wait_until(has_begun))
+                self.client.cancel_goal()
+                self.assertTrue(self.client.wait_for_result(DEADLINE))
+                self.assertIn(self.client.get_state(), (GoalStatus.PREEMPTED, GoalStatus.RECALLED))
+            self.may_answer.set()  # the plans come now
+            again = self.retrieve(RetrieveGoal(goal=stamped(pose(0.0))))
+        self.assertTrue(again.success, again.message)
+        self.assertTrue(self.never_moved())
+
     def test_a_cancel_in_motion_is_answered_at_once(self):
         with FakeArm():
             self.client.send_goal(RetrieveGoal())

@@ -29,6 +29,7 @@ class Driver:
 
     def __init__(self):
         self.zeroes = True
+        self.refuses = False
         self.x = 0.0
         self.force = OFFSET
         self.asked = 0
@@ -37,15 +38,18 @@ class Driver:
         self._stop = threading.Event()
         self._wrench = rospy.Publisher("wrench", WrenchStamped, queue_size=100)
         self._observations = ObservationSource()
-        self._services = [
-            rospy.Service("driver/zero", Trigger, self._zero),
-            rospy.Service("force_torque/tare", Trigger, self._tare),
-        ]
+        self.offer_zero()
+        self._tare_service = rospy.Service("force_torque/tare", Trigger, self._tare)
         self._thread = threading.Thread(target=self._run)
         self._thread.start()
 
+    def offer_zero(self):
+        self.zero_service = rospy.Service("driver/zero", Trigger, self._zero)
+
     def _zero(self, _):
         self.asked += 1
+        if self.refuses:
+            return TriggerResponse(False, "the robot is off")
         if self.zeroes:
             self._zero_in = LATENCY
         return TriggerResponse(True, "")
@@ -94,6 +98,7 @@ class SensorZero(unittest.TestCase):
 
     def setUp(self):
         self.driver.zeroes = True
+        self.driver.refuses = False
         self.driver.force = OFFSET
         self.driver.asked = 0
         self.driver.tared_at.clear()
@@ -119,6 +124,19 @@ class SensorZero(unittest.TestCase):
         self.assertFalse(result.success)
         self.assertIn("the raw force is 12 N", result.message)
         self.assertEqual(self.driver.tared_at, [])
+
+    def test_a_service_that_is_missing_is_named(self):
+        self.driver.zero_service.shutdown()
+        self.addCleanup(self.driver.offer_zero)
+        result = self.retrieve()
+        self.assertFalse(result.success)
+        self.assertIn("the service '/driver/zero' does not appear", result.message)
+
+    def test_a_service_that_fails_is_named_with_its_reason(self):
+        self.driver.refuses = True
+        result = self.retrieve()
+        self.assertFalse(result.success)
+        self.assertIn("the service '/driver/zero' failed: the robot is off", result.message)
 
     def test_nothing_is_zeroed_where_a_fault_stopped_the_robot(self):
         self.guard.publish("the force is 45 N")
