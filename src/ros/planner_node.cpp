@@ -20,8 +20,8 @@ struct PlannerNodeParameters {
   FrameNames frames;
   MethodKind method = MethodKind::kSmore;
   int seed = 1;
-  double maps_timeout = 30.0;  ///< wall time to wait for maps that are new enough [s]
-  MethodParameters smore;      ///< of the method smore
+  double maps_timeout = 30.0;          ///< wall time to wait for maps that are new enough [s]
+  MethodParameters method_parameters;  ///< of the method smore
 };
 
 PlannerNodeParameters readParameters(ParameterReader* reader) {
