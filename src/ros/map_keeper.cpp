@@ -69,7 +69,6 @@ void MapKeeper::load(const std::vector<ContactObservation>& observations) {
       loaded.maps->observe(observation);
       if (observation.line) loaded.lines.push_back(*observation.line);
     }
-    (void)loaded.maps->world();  // made when they are asked for, here nobody waits meanwhile
   } catch (const std::out_of_range& error) {
     throw InputError(std::string("an observation lies outside of the maps (") + error.what() +
                      "); use larger voxels");

@@ -43,26 +43,33 @@ std::unique_ptr<EvidenceJournal> makeJournal(const MappingParameters& parameters
   return std::make_unique<EvidenceJournal>(*directory, sourceOf(parameters, scenario));
 }
 
+/// With what there is to go on from, which is sought before a journal of its own is begun.
+std::unique_ptr<MapKeeper> makeKeeper(const MappingParameters& parameters, const Scenario& scenario,
+                                      const BeliefFiles& files) {
+  const auto earlier = earlierEvidence(parameters);
+  auto keeper = std::make_unique<MapKeeper>(
+      [parameters, scenario] {
+        return makeTwinMap(parameters.method, scenario, parameters.seed,
+                           parameters.method_parameters.belief);
+      },
+      spacingFor(scenario), makeJournal(parameters, scenario));
+  if (earlier) ROS_INFO_STREAM(files.loadFrom(*earlier, keeper.get()));
+  return keeper;
+}
+
 /// Observations come in on the main thread and are handed to the keeper; services and publishing
 /// have threads of their own, since they wait for it.
 class MappingNode {
  public:
   MappingNode(const MappingParameters& parameters, const Scenario& scenario)
       : parameters_(parameters),
-        earlier_(earlierEvidence(parameters)),
-        keeper_(
-            [parameters, scenario] {
-              return makeTwinMap(parameters.method, scenario, parameters.seed,
-                                 parameters.method_parameters.belief);
-            },
-            spacingFor(scenario), makeJournal(parameters, scenario)),
         files_(belowRosHome(parameters.beliefs), sourceOf(parameters, scenario)),
+        keeper_(makeKeeper(parameters, scenario, files_)),
         service_node_(makeServiceNode()),
         world_(service_node_, names::kWorldMap, parameters.frames.world,
                {Vec3::Zero(), Vec3::Ones()}, parameters.display_min_probability),
         object_(service_node_, names::kObjectMap, parameters.frames.object,
                 {Vec3::UnitY(), Vec3::UnitX()}, parameters.display_min_probability) {
-    if (earlier_) ROS_INFO_STREAM(files_.loadFrom(*earlier_, &keeper_));
     contact_ = node_.subscribe(names::kContact, names::kObservationQueue, &MappingNode::onContact,
                                this, ros::TransportHints().tcpNoDelay());
     lines_ = service_node_.advertise<visualization_msgs::MarkerArray>(names::kContactLines,
@@ -107,7 +114,7 @@ class MappingNode {
     const bool of_world = space == names::kWorldMap;
     const boost::function<bool(Octomap::Request&, Octomap::Response&)> reply =
         [this, of_world, make](Octomap::Request& /*request*/, Octomap::Response& response) {
-          keeper_.access([&](const MapState& state) {
+          keeper_->access([&](const MapState& state) {
             const VoxelGrid& grid = of_world ? state.maps->world() : state.maps->object();
             response.map = make(grid, (of_world ? world_ : object_).headerAt(timeOf(state.stamp)));
           });
@@ -130,18 +137,18 @@ class MappingNode {
                          << "'; give the listener and the mapping the same frames");
       return;
     }
-    keeper_.push(*observation);
+    keeper_->push(*observation);
   }
 
   bool onTwinMaps(smore_msgs::TwinMaps::Request& request,
                   smore_msgs::TwinMaps::Response& response) {
-    if (!keeper_.waitFor(request.not_before.toSec(), request.timeout.toSec())) {
+    if (!keeper_->waitFor(request.not_before.toSec(), request.timeout.toSec())) {
       response.message =
           "the maps do not hold the observations up to the time asked for; check that contact "
           "observations arrive";
       return true;
     }
-    keeper_.access([&](const MapState& state) { fill(request, state, &response); });
+    keeper_->access([&](const MapState& state) { fill(request, state, &response); });
     response.success = true;
     return true;
   }
@@ -165,7 +172,7 @@ class MappingNode {
   }
 
   bool onReset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
-    keeper_.reset();
+    keeper_->reset();
     response.success = true;
     response.message = "the maps are empty";
     return true;
@@ -186,7 +193,7 @@ class MappingNode {
 
   bool saveMaps(const std::filesystem::path& directory) const {
     std::unique_ptr<octomap::OcTree> world, object;
-    keeper_.access([&](const MapState& state) {
+    keeper_->access([&](const MapState& state) {
       world = toOctree(state.maps->world());
       object = toOctree(state.maps->object());
     });
@@ -197,14 +204,15 @@ class MappingNode {
   bool onSaveBelief(smore_msgs::SaveBelief::Request& request,
                     smore_msgs::SaveBelief::Response& response) {
     response.success = tell(&response.message, [&] {
-      return "wrote " + files_.save(keeper_, request.file, request.overwrite);
+      return "wrote " + files_.save(*keeper_, request.file, request.overwrite);
     });
     return true;
   }
 
   bool onLoadBelief(smore_msgs::LoadBelief::Request& request,
                     smore_msgs::LoadBelief::Response& response) {
-    response.success = tell(&response.message, [&] { return files_.load(request.file, &keeper_); });
+    response.success =
+        tell(&response.message, [&] { return files_.load(request.file, keeper_.get()); });
     return true;
   }
 
@@ -220,12 +228,12 @@ class MappingNode {
   }
 
   void onTimer(const ros::WallTimerEvent& /*event*/) {
-    if (const auto problem = keeper_.takeProblem()) ROS_ERROR_STREAM(*problem);
+    if (const auto problem = keeper_->takeProblem()) ROS_ERROR_STREAM(*problem);
     std::optional<VoxelGrid> world, object;
     std::vector<LineOfAction> lines;
     std::uint64_t revision = 0;
     ros::Time stamp;
-    keeper_.access([&](const MapState& state) {
+    keeper_->access([&](const MapState& state) {
       revision = state.maps->revision();
       stamp = timeOf(state.stamp);
       lines = state.lines;
@@ -244,9 +252,8 @@ class MappingNode {
   }
 
   MappingParameters parameters_;
-  std::optional<std::string> earlier_;  ///< sought before the keeper begins a journal
-  MapKeeper keeper_;
   BeliefFiles files_;
+  std::unique_ptr<MapKeeper> keeper_;  ///< before anything is offered of what it knows
   ros::CallbackQueue service_queue_;
   ros::NodeHandle node_;
   ros::NodeHandle service_node_;
