@@ -1,12 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Relative links of the Markdown pages lead to files, and scripts and scenes that they name exist."""
+"""Relative links of the Markdown pages lead to files, scripts and scenes that they name exist, and quoted numbers are those of docs/benchmarks.md.
+
+A number is quoted as [6.6](docs/benchmarks.md "s_shape_perturbed smore mean"): first cells of the row, and the column.
+"""
 import re
 
 from project import ROOT, files, report, say
 
 LINK = re.compile(r"\]\((?!https?:|#|mailto:)([^)#\s]+)")
 NAMED = re.compile(r"\b(?:scripts|config|launch|python|docs|src|include|test|benchmark)/[\w./-]*\w")
+QUOTE = re.compile(r'\[([^\]]+)\]\([^)\s]*benchmarks\.md "([^"]+)"\)')
 
 PLACEHOLDER = re.compile(r"/[A-Z_]{2,}(\.\w+)?$")  # config/NODE.yaml: one of several
 
@@ -16,7 +20,27 @@ def exists(path):
     return path.exists() or any(path.parent.glob(path.name + ".*"))
 
 
-def problems(path):
+def cells(line):
+    return [cell.strip().strip("*`") for cell in line.strip().strip("|").split("|")]
+
+
+def numbers(text):
+    """Each number of the tables of a page, by the first two cells of its row and its column."""
+    found = {}
+    header = None
+    for line in text.splitlines():
+        if not line.startswith("|"):
+            header = None
+        elif header is None:
+            header = cells(line)
+        else:
+            row = cells(line)
+            for column, value in zip(header[2:], row[2:]):
+                found[" ".join((*row[:2], column))] = value
+    return found
+
+
+def problems(path, benchmarks):
     for number, line in enumerate(path.read_text().splitlines(), 1):
         for target in LINK.findall(line):
             if not (path.parent / target).exists():
@@ -24,11 +48,15 @@ def problems(path):
         for name in NAMED.findall(LINK.sub("", line)):
             if not PLACEHOLDER.search(name) and not exists(ROOT / name):
                 yield say(path, number, f"{name} does not exist")
+        for quoted, key in QUOTE.findall(line):
+            if benchmarks.get(key) != quoted.strip("*"):
+                yield say(path, number, f"'{key}' is {benchmarks.get(key)} in docs/benchmarks.md, not {quoted}")
 
 
 def main():
     paths = sorted(ROOT.glob("*.md")) + files(("docs",), "*.md")
-    report([finding for path in paths for finding in problems(path)], len(paths))
+    benchmarks = numbers((ROOT / "docs/benchmarks.md").read_text())
+    report([finding for path in paths for finding in problems(path, benchmarks)], len(paths))
 
 
 if __name__ == "__main__":
