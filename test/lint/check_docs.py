@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Relative links of the Markdown pages lead to files, scripts and scenes that they name exist, and quoted numbers are those of docs/benchmarks.md.
+"""Relative links of the Markdown pages lead to files, scripts and scenes that they name exist, and quoted numbers are
+those of docs/benchmarks.md.
 
 A number is quoted as [6.6](docs/benchmarks.md "s_shape_perturbed smore mean"): first cells of the row, and the column.
 """
