@@ -5,6 +5,8 @@ namespace smore {
 namespace {
 
 constexpr double kSpacing = 0.002;  // [m + rad]
+// A robot that was stopped in a motion has run on by less [m + rad].
+constexpr double kNear = 0.01;
 
 }  // namespace
 
@@ -17,6 +19,10 @@ void Trail::unwind(const Pose& here) {
          gapBetween(poses_[poses_.size() - 2], here) < gapBetween(poses_.back(), here)) {
     poses_.pop_back();
   }
+}
+
+bool Trail::endsAt(const Pose& here) const {
+  return !poses_.empty() && gapBetween(poses_.back(), here) < kNear;
 }
 
 Path Trail::wayBack(const Pose& here, double distance) const {

@@ -144,6 +144,7 @@ std::optional<JointTrajectory> MotionGuard::admit(double now, const JointTraject
 void MotionGuard::check(double now) {
   const std::string problem = silence(now);
   if (!problem.empty()) stop(problem);
+  if (!safety_stop_.empty()) stop(safety_stop_);
   if (!program_runs_) {
     stop(
         "the robot's program does not run: it ended, or a protective or emergency stop ended it; "

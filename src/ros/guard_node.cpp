@@ -19,6 +19,7 @@
 #include "smore/ros/controller_watch.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
+#include "smore/ros/safety_mode.h"
 #include "smore/ros/shutdown_request.h"
 #include "smore/ros/speed_listener.h"
 
@@ -113,6 +114,8 @@ class GuardNode {
                                     &GuardNode::onSignOfLife, this, hints);
     program_ = node_.subscribe(names::kProgramRunning, names::kLatestQueue, &GuardNode::onProgram,
                                this, hints);
+    safety_ =
+        node_.subscribe(names::kSafetyMode, names::kLatestQueue, &GuardNode::onSafety, this, hints);
   }
 
   void onWrench(const geometry_msgs::WrenchStamped& message) {
@@ -142,6 +145,14 @@ class GuardNode {
 
   void onProgram(const std_msgs::Bool& message) {
     guard_.onProgram(message.data != 0);
+    guard_.check(now());
+    reactToFault();
+  }
+
+  void onSafety(const topic_tools::ShapeShifter& message) {
+    const auto mode = safetyModeOf(message);
+    if (!mode) return guard_.stop("'" + safety_.getTopic() + "' brings no safety mode");
+    guard_.onSafetyStop(safetyStop(*mode));
     guard_.check(now());
     reactToFault();
   }
@@ -236,7 +247,7 @@ class GuardNode {
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
   ros::Publisher guarded_, fault_;
-  ros::Subscriber wrench_, joints_, contact_, command_, sign_of_life_, program_;
+  ros::Subscriber wrench_, joints_, contact_, command_, sign_of_life_, program_, safety_;
   ros::ServiceServer stop_, clear_;
   std::optional<ControllerWatch> controller_;
   std::string published_;

@@ -177,12 +177,24 @@ class RetrievalNode {
   }
 
   std::string waitUntilReady() {
+    std::string problem = backOff();
+    if (!problem.empty()) return problem;
     ROS_INFO("waiting for sensor, maps and planner");
-    std::string problem = robot_.waitUntilReady();
+    problem = robot_.waitUntilReady();
     if (!problem.empty()) return problem;
     return planner_.waitUntilReady(parameters_.robot.ready_timeout)
                ? ""
                : "the planner's service does not appear; is the planner node up?";
+  }
+
+  /// Where a stop left the object pressed: what presses would become the sensor's zero. Why it
+  /// still presses; empty where it does not, or where somebody else has moved it.
+  std::string backOff() {
+    if (!robot_.canBackOff()) return "";
+    ROS_INFO("backing off from where the last retrieval was stopped");
+    const MotionResult away = robot_.retreat(parameters_.retreat_distance);
+    if (away.end == MotionEnd::kReached) return "";
+    return "could not back off from where the last retrieval was stopped: " + away.reason;
   }
 
   std::string identifyPayload() {

@@ -7,6 +7,7 @@
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/Bool.h>
 #include <std_msgs/Float64.h>
+#include <std_msgs/UInt8.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
@@ -28,8 +29,10 @@
 namespace smore {
 namespace {
 
-constexpr double kPeriod = 0.002;  // 500 Hz
-constexpr double kCatchUp = 0.1;   // [s]; what is lost beyond is not made good
+constexpr double kPeriod = 0.002;    // 500 Hz
+constexpr std::uint8_t kNormal = 1;  // safety modes of ur_dashboard_msgs/SafetyMode
+constexpr std::uint8_t kProtectiveStop = 3;
+constexpr double kCatchUp = 0.1;  // [s]; what is lost beyond is not made good
 
 /// What the driver publishes for one sample.
 struct DriverSample {
@@ -54,6 +57,7 @@ class RobotTwin {
     private_node_.setCallbackQueue(&queue_);
     advertise();
     publishScene(scenario);
+    publishSafetyMode(kNormal);
     publishRunning();
   }
 
@@ -80,6 +84,7 @@ class RobotTwin {
     running_ =
         node_.advertise<std_msgs::Bool>("ur_hardware_interface/robot_program_running", 1, true);
     state_ = node_.advertise<sensor_msgs::JointState>("scaled_pos_joint_traj_controller/state", 1);
+    safety_mode_ = node_.advertise<std_msgs::UInt8>("ur_hardware_interface/safety_mode", 1, true);
     const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
     command_ = node_.subscribe("scaled_pos_joint_traj_controller/command", names::kStreamQueue,
                                &RobotTwin::onCommand, this, hints);
@@ -118,6 +123,7 @@ class RobotTwin {
 
   bool onProtectiveStop(std_srvs::Trigger::Request& /*request*/,
                         std_srvs::Trigger::Response& response) {
+    publishSafetyMode(kProtectiveStop);
     endProgram("a protective stop was asked for");
     response.success = static_cast<unsigned char>(true);
     return true;
@@ -126,6 +132,7 @@ class RobotTwin {
   /// As somebody at the pendant.
   bool onPlay(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
     controller_.start(robot_->jointPositions());
+    publishSafetyMode(kNormal);
     publishRunning();
     response.success = static_cast<unsigned char>(true);
     return true;
@@ -160,6 +167,13 @@ class RobotTwin {
     controller_.stop();
     robot_->stop();
     publishRunning();
+  }
+
+  /// On the wire as the driver's ur_dashboard_msgs/SafetyMode, which Debian lacks.
+  void publishSafetyMode(std::uint8_t mode) {
+    std_msgs::UInt8 message;
+    message.data = mode;
+    safety_mode_.publish(message);
   }
 
   void publishRunning() {
@@ -255,7 +269,8 @@ class RobotTwin {
   std::optional<double> zero_at_;  ///< when the next zeroing happens [s]
   ros::CallbackQueue queue_;
   ros::NodeHandle node_, private_node_{"~"};
-  ros::Publisher joints_, wrench_, tf_, tf_static_, scene_, scaling_, running_, state_;
+  ros::Publisher joints_, wrench_, tf_, tf_static_, scene_, scaling_, running_, state_,
+      safety_mode_;
   ros::Subscriber command_, slider_topic_;
   ros::ServiceServer zero_, stop_, play_, cut_, run_;
 };

@@ -36,6 +36,12 @@ TEST(Trail, KeepsWhatTheRobotHasNotGoneBackAlong) {
   EXPECT_TRUE(rest.back().isApprox(at(0)));
 }
 
+TEST(Trail, KnowsWhetherTheRobotWasMovedAway) {
+  EXPECT_TRUE(recordedTrail().endsAt(at(0.105)));
+  EXPECT_FALSE(recordedTrail().endsAt(at(0.115)));
+  EXPECT_FALSE(Trail().endsAt(at(0.0)));
+}
+
 TEST(Trail, FollowsItsOwnWayBackWhereItCrossesItself) {
   Trail trail;
   const Path loop{at(0.0), at(0.01), makePose(Vec3(0.01, 0.01, 0)), makePose(Vec3(0, 0.01, 0)),

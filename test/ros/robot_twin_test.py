@@ -17,6 +17,8 @@ from node_killing import MOVES, STANDS, speed
 from node_testing import DEADLINE, Recorder, start_node, wait_until
 from smore.msg import ContactObservation, RetrieveAction, RetrieveGoal
 
+CONTACT_FORCE = 5.0  # [N]
+HAS_BACKED_OFF = 0.02  # of the 0.05 that a retreat goes [m]
 MOST_FORCE = 25.0  # of a touch at 0.05 m/s [N]
 # From the sample that confirms a contact to rest [m]: 1 mm for 10 ms of latency each way, 0.5 mm for the brake, and again so
 # much for a busy processor.
@@ -93,9 +95,25 @@ class RobotTwin(unittest.TestCase):
     def test_a_protective_stop_latches_and_nothing_moves_before_a_new_goal(self):
         self.begin_motion()
         self.assertTrue(self.protective_stop().success)
-        self.ends_with("the robot's program does not run")
-        self.assertFalse(self.clear().success, "cleared while the program does not run")
+        self.ends_with("safety mode is 3 (protective stop)")
+        self.assertFalse(self.clear().success, "cleared while the robot does not let it move")
         self.go_on()
+
+    def test_a_goal_after_a_cancel_in_contact_backs_off_before_anything_is_zeroed(self):
+        self.contacts.clear()
+        self.client.send_goal(RetrieveGoal())
+        first = self.contacts.wait_for(lambda m: m.state == ContactObservation.CONTACT)
+        self.assertIsNotNone(first, "it touches nothing")
+        self.client.cancel_goal()
+        self.assertTrue(self.client.wait_for_result(rospy.Duration(DEADLINE)))
+        phases = []
+        feedback = lambda message: phases.append(message.phase)
+        self.client.send_goal(RetrieveGoal(max_collisions=1), feedback_cb=feedback)
+        self.assertTrue(wait_until(lambda: "planning" in phases), "no next goal")
+        self.assertGreater(distance(first, self.contacts.messages()[-1]), HAS_BACKED_OFF)
+        self.assertLess(math.hypot(*force(self.wrenches.messages()[-1])), CONTACT_FORCE)
+        self.client.cancel_goal()
+        self.assertTrue(self.client.wait_for_result(rospy.Duration(DEADLINE)))
 
     def test_a_stopped_controller_is_named_before_anything_moves(self):
         self.assertTrue(self.run_controller(False).success)

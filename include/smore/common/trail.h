@@ -18,6 +18,9 @@ class Trail {
   /// is so much; empty where the robot is back at the beginning.
   Path wayBack(const Pose& here, double distance) const;
 
+  /// Whether the robot is at its newest pose, or has been moved away from it by other means.
+  bool endsAt(const Pose& here) const;
+
   void clear() { poses_.clear(); }
 
  private:

@@ -57,6 +57,9 @@ class MotionGuard {
   /// Whether the robot's own program runs, without which it takes no commands; true until told.
   void onProgram(bool running);
 
+  /// Why the robot's own safety system does not let it move; empty: it does, as until told.
+  void onSafetyStop(const std::string& reason) { safety_stop_ = reason; }
+
   /// A contact observation of the wrench of this stamp. It needs the object's pose at the stamp: it
   /// is late too where tf stands still, however fresh other stamps are.
   void onContact(double measured, double stamp) { contact_beat_.beat(measured, stamp); }
@@ -123,7 +126,8 @@ class MotionGuard {
   Heartbeat wrench_beat_, joints_beat_, contact_beat_;
   double wrench_changed_ = 0.0;  ///< when it was last another than before
   bool program_runs_ = true;
-  double commander_ = 0.0;  ///< when its last sign of life came
+  std::string safety_stop_;  ///< of the robot itself; empty: none
+  double commander_ = 0.0;   ///< when its last sign of life came
   std::string fault_;
 };
 

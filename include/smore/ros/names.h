@@ -15,6 +15,7 @@ constexpr char kSignOfLife[] = "command_attended";
 constexpr char kGuardedCommand[] = "guarded_command";
 constexpr char kControllerState[] = "controller_state";
 constexpr char kProgramRunning[] = "robot_program_running";
+constexpr char kSafetyMode[] = "safety_mode";
 constexpr char kSpeedScaling[] = "speed_scaling_factor";
 constexpr char kJointStates[] = "joint_states";
 constexpr char kScene[] = "scene";

@@ -43,6 +43,12 @@ class RosRobot : public Robot {
   /// missing where that does not come, else empty.
   std::string waitUntilReady();
 
+  /// Whether something touches the object and the robot knows the way that it has come.
+  bool canBackOff() const {
+    const auto now = stream_.latest();
+    return now && now->state == ContactState::kContact && trail_.endsAt(now->T_world_object);
+  }
+
   Pose pose() const override;
   MotionResult follow(const Path& path) override;
   MotionResult retreat(double distance) override;
