@@ -45,7 +45,7 @@ struct Scenario {
   Motion motion = Motion::kPlanar;
   RobotKind robot = RobotKind::kCartesian;
   std::vector<Shape> object;              ///< poses in the object frame; empty: a task
-  std::vector<Shape> environment;         ///< poses in the world frame; empty: a task
+  std::vector<Shape> environment;         ///< poses in the world frame
   Pose start = Pose::Identity();          ///< T_world_object
   Pose goal = Pose::Identity();           ///< T_world_object
   double goal_position_tolerance = 0.02;  ///< [m]
@@ -65,8 +65,9 @@ struct Scenario {
   Pose T_world_base = Pose::Identity();      ///< ur5e only: base_link
   Pose T_gripper_object = Pose::Identity();  ///< ur5e only: object frame in the grasp frame
 
-  /// False for a task alone.
-  bool hasScene() const { return !object.empty() && !environment.empty(); }
+  /// False for a task alone. An object with nothing around it is a scene: there is nothing to
+  /// touch.
+  bool hasScene() const { return !object.empty(); }
 
   MotionSpace motionSpace() const {
     return {motion, start, workspace, robot == RobotKind::kCartesian};
