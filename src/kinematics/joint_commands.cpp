@@ -27,7 +27,7 @@ class CartesianCommands : public JointCommands {
 class ArmCommands : public JointCommands {
  public:
   explicit ArmCommands(const Scenario& scenario)
-      : motion_(ur5eUrdf(), armMotionParameters(scenario)) {}
+      : motion_(armUrdf(scenario.robot), armMotionParameters(scenario)) {}
 
   std::vector<std::string> jointNames() const override {
     const auto& names = motion_.model().jointNames();
@@ -45,7 +45,7 @@ class ArmCommands : public JointCommands {
 }  // namespace
 
 std::unique_ptr<JointCommands> makeJointCommands(const Scenario& scenario) {
-  if (scenario.robot == RobotKind::kUr5e) return std::make_unique<ArmCommands>(scenario);
+  if (isArm(scenario.robot)) return std::make_unique<ArmCommands>(scenario);
   return std::make_unique<CartesianCommands>(scenario);
 }
 

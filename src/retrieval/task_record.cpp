@@ -8,7 +8,6 @@ namespace {
 
 const std::vector<std::string> kTasks = {"retrieve", "reconstruct"};
 const std::vector<std::string> kMotions = {"planar", "spatial"};
-const std::vector<std::string> kRobots = {"cartesian", "ur5e"};
 const std::vector<std::string> kOnContact = {"reset", "retreat"};
 
 // What the maps can be made with; scenario files are checked more narrowly.
@@ -57,7 +56,7 @@ Json taskRecord(const Scenario& scenario) {
       {"task", nameOf(kTasks, scenario.task)},
       {"voxel_size", scenario.voxel_size},
       {"motion", nameOf(kMotions, scenario.motion)},
-      {"robot", nameOf(kRobots, scenario.robot)},
+      {"robot", robotName(scenario.robot)},
       {"start", toJson(scenario.start)},
       {"goal", toJson(scenario.goal)},
       {"goal_tolerance",
@@ -83,7 +82,7 @@ Scenario readTask(const JsonFields& record) {
   task.task = readEnum<Task>(record, "task", kTasks);
   task.voxel_size = record.number("voxel_size", kVoxelSize);
   task.motion = readEnum<Motion>(record, "motion", kMotions);
-  task.robot = readEnum<RobotKind>(record, "robot", kRobots);
+  task.robot = readEnum<RobotKind>(record, "robot", robotNames());
   task.start = record.pose("start");
   task.goal = record.pose("goal");
   const JsonFields tolerance = record.object("goal_tolerance");

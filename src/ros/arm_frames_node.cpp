@@ -16,10 +16,11 @@ void runArmFrames() {
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
   reader.finish();
-  if (scenario->robot != RobotKind::kUr5e) {
-    throw InputError("scenario " + scenario->name + ": robot: not an arm; use robot: ur5e");
+  if (!isArm(scenario->robot)) {
+    throw InputError("scenario " + scenario->name +
+                     ": robot: not an arm; use one of ur3e, ur5e, ur10e, ur16e");
   }
-  const ArmMotion arm(ur5eUrdf(), armMotionParameters(*scenario));
+  const ArmMotion arm(armUrdf(scenario->robot), armMotionParameters(*scenario));
   ros::NodeHandle node;
   constexpr bool kLatched = true;
   const ros::Publisher publisher =

@@ -278,7 +278,7 @@ void runRetrieval() {
   requireScenario(&reader);
   reader.finish();
   // An arm cannot be set to the start: it goes back along its way.
-  if (scenario->robot == RobotKind::kUr5e) parameters.robot.reset_service.clear();
+  if (isArm(scenario->robot)) parameters.robot.reset_service.clear();
 
   ros::AsyncSpinner spinner(1);
   spinner.start();

@@ -281,8 +281,9 @@ void runTwin() {
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
   reader.finish();
-  if (scenario->robot != RobotKind::kUr5e) {
-    throw InputError("scenario " + scenario->name + ": robot: not an arm; use robot: ur5e");
+  if (!isArm(scenario->robot)) {
+    throw InputError("scenario " + scenario->name +
+                     ": robot: not an arm; use one of ur3e, ur5e, ur10e, ur16e");
   }
   RobotTwin(parameters, perturbScenario(*scenario, parameters.seed)).run();
 }

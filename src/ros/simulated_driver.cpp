@@ -38,7 +38,7 @@ class ArmDriver : public SimulatedDriver {
   ArmDriver(const Scenario& scenario, const FrameNames& frames)
       : frames_(frames),
         T_world_base_link_(scenario.T_world_base),
-        urdf_(ur5eUrdf()),
+        urdf_(armUrdf(scenario.robot)),
         arm_(urdf_, armMotionParameters(scenario)) {
     const KinematicTree& tree = arm_.model().tree();
     T_base_base_link_ =
@@ -108,7 +108,7 @@ class ArmDriver : public SimulatedDriver {
 
 std::unique_ptr<SimulatedDriver> makeSimulatedDriver(const Scenario& scenario,
                                                      const FrameNames& frames) {
-  if (scenario.robot == RobotKind::kUr5e) return std::make_unique<ArmDriver>(scenario, frames);
+  if (isArm(scenario.robot)) return std::make_unique<ArmDriver>(scenario, frames);
   return std::make_unique<CartesianDriver>(frames);
 }
 

@@ -72,7 +72,7 @@ void readTask(ParameterReader* reader, Scenario* scenario) {
   readChoice(reader, "task", {"retrieve", "reconstruct"}, &scenario->task);
   reader->number("voxel_size", &scenario->voxel_size, kVoxelSize);
   readChoice(reader, "motion", {"planar", "spatial"}, &scenario->motion);
-  readChoice(reader, "robot", {"cartesian", "ur5e"}, &scenario->robot);
+  readChoice(reader, "robot", robotNames(), &scenario->robot);
   readPoseAt(reader, "start", &scenario->start);
   readPoseAt(reader, "goal", &scenario->goal);
   ifGiven(reader, "goal_tolerance", [scenario](ParameterReader* section) {
@@ -176,6 +176,17 @@ void checkInSpace(ParameterReader* reader, const Scenario& scenario) {
 
 }  // namespace
 
+const std::vector<std::string>& robotNames() {
+  static const std::vector<std::string> names = {"cartesian", "ur3e", "ur5e", "ur10e", "ur16e"};
+  return names;
+}
+
+const std::string& robotName(RobotKind kind) {
+  return robotNames()[static_cast<std::size_t>(kind)];
+}
+
+bool isArm(RobotKind kind) { return kind != RobotKind::kCartesian; }
+
 double reachOf(const std::vector<Shape>& object) {
   const Bounds bounds = boundsOf(object);
   return bounds.min.cwiseAbs().cwiseMax(bounds.max.cwiseAbs()).norm();
@@ -194,7 +205,7 @@ void requireScene(const Scenario& scenario) {
 }
 
 bool tiltsPayload(const Scenario& scenario) {
-  return scenario.robot == RobotKind::kUr5e && scenario.motion == Motion::kSpatial;
+  return isArm(scenario.robot) && scenario.motion == Motion::kSpatial;
 }
 
 Scenario loadScenario(const std::string& file) {

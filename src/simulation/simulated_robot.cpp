@@ -9,8 +9,8 @@ namespace smore {
 
 std::unique_ptr<SimulatedRobot> makeSimulatedRobot(const Scenario& scenario, std::uint64_t seed,
                                                    double sensor_cutoff) {
-  if (scenario.robot == RobotKind::kUr5e)
-    return makeSimulatedArm(scenario, ur5eUrdf(), seed, sensor_cutoff);
+  if (isArm(scenario.robot))
+    return makeSimulatedArm(scenario, armUrdf(scenario.robot), seed, sensor_cutoff);
   checkStartAndGoalFree(scenario);
   return std::make_unique<CartesianRobot>(scenario, seed, sensor_cutoff);
 }

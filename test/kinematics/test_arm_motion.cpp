@@ -48,7 +48,7 @@ double distanceToPath(const Pose& pose, const Path& path) {
 
 TEST(ArmMotion, followsThePathWithinAllLimits) {
   const ArmMotionParameters parameters = tableTop();
-  const ArmMotion motion(ur5eUrdf(), parameters);
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), parameters);
   const auto start = motion.configurationFor(overTable(0.45, 0.1));
   ASSERT_TRUE(start) << start.reason();
   const auto trajectory = motion.trajectory(*start, kTour);
@@ -82,7 +82,7 @@ TEST(ArmMotion, followsThePathWithinAllLimits) {
 
 // No jump: along a path that crosses the workspace each configuration is near the one before.
 TEST(ArmMotion, staysOnItsBranch) {
-  const ArmMotion motion(ur5eUrdf(), tableTop());
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), tableTop());
   const auto start = motion.configurationFor(overTable(0.45, 0.1));
   ASSERT_TRUE(start);
   const auto trajectory = motion.trajectory(*start, kTour);
@@ -97,18 +97,18 @@ TEST(ArmMotion, staysOnItsBranch) {
 TEST(ArmMotion, theStartBranchIsAboveTheTableAndReachesTheWantedPoses) {
   ArmMotionParameters parameters = tableTop();
   parameters.wanted = kTour;
-  const ArmMotion motion(ur5eUrdf(), parameters);
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), parameters);
   const auto q = motion.configurationFor(overTable(0.45, 0.1));
   ASSERT_TRUE(q);
   EXPECT_LT(distanceBetween(motion.objectPose(*q), overTable(0.45, 0.1)), 1e-8);
-  const ArmCollision collision(ur5eUrdf(), &motion.model());
+  const ArmCollision collision(armUrdf(RobotKind::kUr5e), &motion.model());
   EXPECT_GT(collision.lowestPoint(*q), 0.0);
   EXPECT_FALSE(collision.collidingLinks(*q).has_value());
   for (const Pose& wanted : kTour) EXPECT_TRUE(motion.trajectory(*q, {wanted}));
 }
 
 TEST(ArmMotion, saysWhichPoseIsOutOfReach) {
-  const ArmMotion motion(ur5eUrdf(), tableTop());
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), tableTop());
   const auto start = motion.configurationFor(overTable(0.45, 0.1));
   ASSERT_TRUE(start);
   const auto trajectory = motion.trajectory(*start, {overTable(0.5, 0.2), overTable(1.5, 0.2)});
@@ -120,7 +120,7 @@ TEST(ArmMotion, saysWhichPoseIsOutOfReach) {
 }
 
 TEST(ArmMotion, refusesToTurnAJointBeyondItsLimit) {
-  const ArmMotion motion(ur5eUrdf(), tableTop());
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), tableTop());
   const auto start = motion.configurationFor(overTable(0.45, 0.1));
   ASSERT_TRUE(start);
   Path turns;
@@ -135,7 +135,7 @@ TEST(ArmMotion, refusesToTurnAJointBeyondItsLimit) {
 TEST(ArmMotion, refusesToPassASingularity) {
   ArmMotionParameters parameters = tableTop();
   parameters.T_grasp_object = Pose::Identity();
-  const ArmMotion motion(ur5eUrdf(), parameters);
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), parameters);
   // Joint 5 passes 0, where the axes of joints 4 and 6 are parallel.
   JointVector q;
   q << 0.3, -1.2, 1.5, -1.0, 0.5, 0.2;
@@ -147,8 +147,8 @@ TEST(ArmMotion, refusesToPassASingularity) {
 }
 
 TEST(ArmMotion, refusesToFoldTheArmOntoItself) {
-  const ArmMotion motion(ur5eUrdf(), tableTop());
-  const ArmCollision collision(ur5eUrdf(), &motion.model());
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), tableTop());
+  const ArmCollision collision(armUrdf(RobotKind::kUr5e), &motion.model());
   JointVector folded;
   folded << 0.0, -1.57, 3.0, -1.5, -1.57, 0.0;
   EXPECT_TRUE(collision.collidingLinks(folded).has_value());
@@ -160,7 +160,7 @@ TEST(ArmMotion, refusesToFoldTheArmOntoItself) {
 }
 
 TEST(ArmMotion, hasNothingToDoAtTheEndOfThePath) {
-  const ArmMotion motion(ur5eUrdf(), tableTop());
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), tableTop());
   const auto q = motion.configurationFor(overTable(0.45, 0.1));
   ASSERT_TRUE(q);
   for (const Path& path : {Path{}, Path{motion.objectPose(*q)}}) {
@@ -171,7 +171,7 @@ TEST(ArmMotion, hasNothingToDoAtTheEndOfThePath) {
 }
 
 TEST(ArmMotion, refusesPosesThatAreNotFinite) {
-  const ArmMotion motion(ur5eUrdf(), tableTop());
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), tableTop());
   const auto q = motion.configurationFor(overTable(0.45, 0.1));
   ASSERT_TRUE(q);
   Pose bad = overTable(0.45, 0.1);
@@ -182,7 +182,7 @@ TEST(ArmMotion, refusesPosesThatAreNotFinite) {
 // From the start straight to each place of the workspace, then half a turn either way.
 TEST(ArmMotion, reachesTheWholeWorkspaceOfTheShippedScene) {
   const Scenario scenario = loadScenario(SMORE_SOURCE_DIR "/config/scenarios/ur5e_one_peg.yaml");
-  const ArmMotion motion(ur5eUrdf(), armMotionParameters(scenario));
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), armMotionParameters(scenario));
   const auto start = motion.configurationFor(scenario.start);
   ASSERT_TRUE(start) << start.reason();
   const Vec3 size = scenario.workspace.max - scenario.workspace.min;

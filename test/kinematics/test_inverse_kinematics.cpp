@@ -31,9 +31,16 @@ double residual(const ArmModel& arm, const JointVector& q, const Pose& target) {
   return distanceBetween(pose, target) + angleBetween(pose, target);
 }
 
+class UrArm : public testing::TestWithParam<RobotKind> {};
+
+INSTANTIATE_TEST_SUITE_P(Arms, UrArm,
+                         testing::Values(RobotKind::kUr3e, RobotKind::kUr5e, RobotKind::kUr10e,
+                                         RobotKind::kUr16e),
+                         [](const auto& arm) { return robotName(arm.param); });
+
 // Every answer is right, and the configuration that the pose was made from is among them.
-TEST(InverseKinematics, tenThousandRandomPosesAreMet) {
-  const ArmModel arm(ur5eUrdf());
+TEST_P(UrArm, meetsTenThousandRandomPoses) {
+  const ArmModel arm(armUrdf(GetParam()));
   const InverseKinematics inverse(&arm);
   std::mt19937 random(1);
   for (int i = 0; i < 10000; ++i) {
@@ -55,13 +62,13 @@ TEST(InverseKinematics, tenThousandRandomPosesAreMet) {
 }
 
 TEST(InverseKinematics, thereAreEightBranchesInTheMidstOfTheWorkspace) {
-  const ArmModel arm(ur5eUrdf());
+  const ArmModel arm(armUrdf(RobotKind::kUr5e));
   const Pose target = makePose(Vec3(0.45, 0.1, 0.35), Vec3(M_PI - 0.2, 0.1, 0.3));
   EXPECT_EQ(InverseKinematics(&arm).branches(target).size(), 8U);
 }
 
 TEST(InverseKinematics, posesBeyondTheReachHaveNoAnswer) {
-  const ArmModel arm(ur5eUrdf());
+  const ArmModel arm(armUrdf(RobotKind::kUr5e));
   const InverseKinematics inverse(&arm);
   EXPECT_TRUE(inverse.branches(makePose(Vec3(1.2, 0, 0.3))).empty());
   EXPECT_TRUE(inverse.branches(makePose(Vec3(0.05, 0, 0.5), Vec3(M_PI, 0, 0))).empty());
@@ -80,7 +87,7 @@ UrdfModel calibrated() {
 }
 
 TEST(InverseKinematics, meetsACalibratedArmExactly) {
-  const ArmModel nominal(ur5eUrdf());
+  const ArmModel nominal(armUrdf(RobotKind::kUr5e));
   const ArmModel arm(calibrated());
   const InverseKinematics inverse(&arm);
   std::mt19937 random(3);

@@ -17,7 +17,7 @@ TEST(ArmContacts, namesTheLinkThatTouchesTheScene) {
   Scenario scenario = ballInHand(makePose(Vec3(0.45, 0.2, 0.2)));
   const auto probe = makeSimulatedRobot(scenario, 1);
   // A post where the forearm comes by when the arm swings round.
-  const ArmModel arm(ur5eUrdf());
+  const ArmModel arm(armUrdf(RobotKind::kUr5e));
   JointVector swung = toJointVector(probe->jointPositions());
   swung[0] -= 0.7;
   const Vec3 forearm =
@@ -61,7 +61,7 @@ std::vector<Vec3> surfacePoints(const Shape& shape) {
 // by one, and a step takes half of one): random motions of the joints among random pegs, against
 // points of the links in the solids' distance functions.
 TEST(ArmContacts, noLinkPassesThroughTheSceneUnreported) {
-  const UrdfModel urdf = ur5eUrdf();
+  const UrdfModel urdf = armUrdf(RobotKind::kUr5e);
   const ArmModel arm(urdf);
   const int tool = arm.tree().linkIndex("tool0_controller");
   std::vector<std::pair<size_t, std::vector<Vec3>>> links;

@@ -172,7 +172,7 @@ TEST(ArmRobot, isBuiltFromAnyUrdfOfSixJoints) {
   EXPECT_LT(distanceBetween(arm.toolPose(toJointVector(robot->jointPositions())),
                             target * robot->T_sensor_object().inverse()),
             2e-4);
-  const ArmModel ur5e(ur5eUrdf());
+  const ArmModel ur5e(armUrdf(RobotKind::kUr5e));
   EXPECT_GT(distanceBetween(ur5e.toolPose(toJointVector(robot->jointPositions())),
                             arm.toolPose(toJointVector(robot->jointPositions()))),
             0.01);

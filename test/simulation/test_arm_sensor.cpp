@@ -33,7 +33,7 @@ Wrench expectedReading(const SimulatedRobot& robot, const MassProperties& load_s
 
 // Gripper by the URDF (fingers as the grasp has them matter little) and object.
 MassProperties loadOf(const Scenario& scenario, const Pose& T_sensor_object) {
-  const UrdfModel urdf = ur5eUrdf();
+  const UrdfModel urdf = armUrdf(RobotKind::kUr5e);
   const KinematicTree gripper(urdf, "tool0_controller");
   const std::vector<Pose> poses = gripper.linkPoses({0.5});
   std::vector<MassProperties> bodies{

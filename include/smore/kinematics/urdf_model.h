@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "smore/common/geometry.h"
-#include "smore/scenario/shape.h"
+#include "smore/scenario/scenario.h"
 
 namespace smore {
 
@@ -21,8 +21,9 @@ UrdfModel parseUrdf(const std::string& xml, const std::string& source);
 /// Reads a URDF file. InputError where it cannot be read or is malformed.
 UrdfModel loadUrdf(const std::string& file);
 
-/// The arm of scenarios with `robot: ur5e`: urdf/ur5e_2f85.urdf as it was when this was built.
-UrdfModel ur5eUrdf();
+/// An arm of scenarios, with its gripper: urdf/ARM_2f85.urdf as it was when this was built.
+/// InputError for the Cartesian robot, which has no description.
+UrdfModel armUrdf(RobotKind arm);
 
 Pose toPose(const urdf::Pose& pose);
 

@@ -12,8 +12,17 @@
 namespace smore {
 
 enum class Task { kRetrieve, kReconstruct };
-enum class RobotKind { kCartesian, kUr5e };
+enum class RobotKind { kCartesian, kUr3e, kUr5e, kUr10e, kUr16e };
 enum class OnContact { kReset, kRetreat };
+
+/// Names of the robots in scenario files, in the order of RobotKind.
+const std::vector<std::string>& robotNames();
+
+/// The name of one.
+const std::string& robotName(RobotKind kind);
+
+/// Whether it is an arm of joints; the Cartesian robot sets its hand's pose directly.
+bool isArm(RobotKind kind);
 
 /// Errors of the simulated wrist sensor, per axis.
 struct WrenchNoise {
@@ -62,16 +71,14 @@ struct Scenario {
   int reconstruct_touches = 300;
   Perturbation perturb;
   double object_mass = 0.5;                  ///< [kg]
-  Pose T_world_base = Pose::Identity();      ///< ur5e only: base_link
-  Pose T_gripper_object = Pose::Identity();  ///< ur5e only: object frame in the grasp frame
+  Pose T_world_base = Pose::Identity();      ///< of an arm: base_link
+  Pose T_gripper_object = Pose::Identity();  ///< of an arm: object frame in the grasp frame
 
   /// False for a task alone. An object with nothing around it is a scene: there is nothing to
   /// touch.
   bool hasScene() const { return !object.empty(); }
 
-  MotionSpace motionSpace() const {
-    return {motion, start, workspace, robot == RobotKind::kCartesian};
-  }
+  MotionSpace motionSpace() const { return {motion, start, workspace, !isArm(robot)}; }
 };
 
 /// Distance of the farthest point of the object from its origin, at most [m].
