@@ -95,7 +95,7 @@ ArmJacobian ArmModel::jacobian(const JointVector& q) const {
   return jacobian;
 }
 
-std::vector<double> toList(const JointVector& q) { return {q.begin(), q.end()}; }
+std::vector<double> toList(const JointVector& q) { return {q.data(), q.data() + q.size()}; }
 
 JointVector toJointVector(const std::vector<double>& values) {
   const bool finite =

@@ -28,8 +28,7 @@ Vec3 drawShift(const Scenario& scenario, Random* random) {
 Vec3 drawAxis(const Scenario& scenario, Random* random) {
   if (scenario.motion == Motion::kPlanar) return Vec3::UnitZ();
   std::normal_distribution<double> normal;
-  Vec3 axis;
-  for (double& value : axis) value = normal(*random);
+  const Vec3 axis = Vec3::NullaryExpr([&] { return normal(*random); });
   return axis.normalized();
 }
 

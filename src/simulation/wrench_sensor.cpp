@@ -36,9 +36,7 @@ Wrench WrenchSensor::filtered(const Wrench& wrench) {
 
 Vec3 WrenchSensor::gaussian(double stddev) {
   if (stddev == 0.0) return Vec3::Zero();
-  Vec3 sample;
-  for (double& value : sample) value = stddev * normal_(random_);
-  return sample;
+  return Vec3::NullaryExpr([&] { return stddev * normal_(random_); });
 }
 
 }  // namespace smore

@@ -15,9 +15,7 @@ namespace {
 
 JointVector randomConfiguration(std::mt19937* random) {
   std::uniform_real_distribution<double> angle(-M_PI, M_PI);
-  JointVector q;
-  for (double& value : q) value = angle(*random);
-  return q;
+  return JointVector::NullaryExpr([&] { return angle(*random); });
 }
 
 double difference(const JointVector& a, const JointVector& b) {

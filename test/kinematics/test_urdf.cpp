@@ -14,9 +14,7 @@ namespace {
 
 JointVector randomConfiguration(std::mt19937* random) {
   std::uniform_real_distribution<double> angle(-M_PI, M_PI);
-  JointVector q;
-  for (double& value : q) value = angle(*random);
-  return q;
+  return JointVector::NullaryExpr([&] { return angle(*random); });
 }
 
 // The maker's tables: d1, a2, a3, d4, d5, d6 [m], and the masses of the six links [kg].

@@ -35,7 +35,7 @@ TEST(JoinedTouches, MakesOnePieceOfAllPlaces) {
     CounterRandom random(seed);
     Points places(12);
     for (Eigen::Vector3f& place : places) {
-      for (float& coordinate : place) coordinate = static_cast<float>(random.uniform());
+      place = Eigen::Vector3f::NullaryExpr([&] { return static_cast<float>(random.uniform()); });
     }
     EXPECT_TRUE(inOnePiece(places, joinTouches(places, kDistance, everywhere))) << seed;
   }

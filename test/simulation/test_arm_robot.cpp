@@ -47,7 +47,8 @@ TEST(ArmRobot, isBitIdenticalInTwoRuns) {
     std::vector<double> record;
     while (robot->moving()) {
       const WrenchSample sample = robot->advance();
-      for (const double value : sample.wrench.force) record.push_back(value);
+      const Vec3& force = sample.wrench.force;
+      record.insert(record.end(), force.data(), force.data() + force.size());
       for (const double value : robot->jointPositions()) record.push_back(value);
     }
     return record;

@@ -90,8 +90,9 @@ TEST(SimulatedRobot, twoRunsAreBitIdentical) {
       robot->follow({makePose(Vec3(leg % 2 == 0 ? -0.13 : 0.13, 0.05, 0), Vec3(0, 0, 0.1 * leg))});
       while (robot->moving()) {
         const WrenchSample sample = robot->advance();
-        for (const double value : sample.wrench.force) record.push_back(value);
-        for (const double value : sample.wrench.torque) record.push_back(value);
+        for (const Vec3& vector : {sample.wrench.force, sample.wrench.torque}) {
+          record.insert(record.end(), vector.data(), vector.data() + vector.size());
+        }
       }
       if (leg == 2) robot->place(scenario.start);
     }

@@ -70,7 +70,9 @@ TEST(WrenchSensor, driftIsARandomWalkOfTheForce) {
     }
     const double variance = 0.25 * kTime;
     const double tolerance = 5.0 * variance * std::sqrt(2.0 / kSensors);
-    for (const double square : squares) EXPECT_NEAR(square / kSensors, variance, tolerance);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(squares[axis] / kSensors, variance, tolerance);
+    }
     EXPECT_NEAR(product / kSensors, 0.0, tolerance);
   }
 }
