@@ -2,7 +2,6 @@
 // Runs trials of a scenario in one process, without ROS, and writes their scores as JSON.
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <csignal>
@@ -12,6 +11,7 @@
 #include <sstream>
 
 #include "smore/common/result.h"
+#include "smore/experiment/command_line.h"
 #include "smore/experiment/experiment.h"
 #include "smore/experiment/output_paths.h"
 #include "smore/experiment/progress_display.h"
@@ -21,9 +21,12 @@
 
 namespace {
 
+namespace po = boost::program_options;
+
 constexpr int kInternalError = 1;
 constexpr int kBadInput = 2;
 constexpr int kInterrupted = 130;
+constexpr int kMany = 1000000;
 
 // The one thing that a signal handler may touch.
 std::atomic<bool> interrupted{false};
@@ -39,40 +42,36 @@ struct Arguments {
   smore::ExperimentParameters parameters;
 };
 
-void declare(CLI::App* app, Arguments* arguments) {
+po::options_description optionsFor(Arguments* arguments) {
   smore::ExperimentParameters& parameters = arguments->parameters;
-  const auto count = CLI::Range(1, 1000000);
-  app->add_option("--scenario", arguments->scenario,
-                  "name in config/scenarios, or path of a file (YAML)")
-      ->required();
-  app->add_option("--method", arguments->method, "how to map and plan")
-      ->check(CLI::IsMember({"paper", "cspace", "smore"}))
-      ->capture_default_str();
-  app->add_option("--parameters", arguments->method_parameters,
-                  "file (YAML) that changes parameters of the method smore");
-  app->add_option("--trials", parameters.trials, "number of trials")
-      ->check(count)
-      ->capture_default_str();
-  app->add_option("--seed", parameters.seed, "seed of the first trial")->capture_default_str();
-  app->add_option("--jobs", parameters.jobs, "trials at a time")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  app->add_option("--max-collisions", parameters.max_collisions, "a trial gives up at so many")
-      ->check(count)
-      ->capture_default_str();
-  app->add_option("--touches-after-success", parameters.touches_after_success,
-                  "further touches for the maps once the object is out (planar motion only)")
-      ->check(CLI::Range(0, 1000000))
-      ->capture_default_str();
-  app->add_flag("--random-touches", parameters.random_touches,
-                "touch at random where the method would choose; for comparison");
-  app->add_option(
-      "--output", arguments->output,
+  po::options_description options(
+      "Trials of simultaneous mapping and object reconstruction by touch");
+  auto add = options.add_options();
+  add("scenario", po::value(&arguments->scenario)->value_name("NAME_OR_FILE")->required(),
+      "name in config/scenarios, or path of a file (YAML)");
+  add("method", new smore::ChoiceOption(&arguments->method, smore::methodNames()),
+      "how to map and plan");
+  add("parameters", po::value(&arguments->method_parameters)->value_name("FILE"),
+      "file (YAML) that changes parameters of the method smore");
+  add("trials", new smore::NumberOption<int>(&parameters.trials, 1, kMany), "number of trials");
+  add("seed", new smore::NumberOption<std::uint64_t>(&parameters.seed, 0, UINT64_MAX),
+      "seed of the first trial");
+  add("jobs", new smore::NumberOption<int>(&parameters.jobs, 1, 1024), "trials at a time");
+  add("max-collisions", new smore::NumberOption<int>(&parameters.max_collisions, 1, kMany),
+      "a trial gives up at so many");
+  add("touches-after-success",
+      new smore::NumberOption<int>(&parameters.touches_after_success, 0, kMany),
+      "further touches for the maps once the object is out (planar motion only)");
+  add("random-touches", po::bool_switch(&parameters.random_touches),
+      "touch at random where the method would choose; for comparison");
+  add("output", po::value(&arguments->output)->value_name("FILE"),
       "result file (JSON) instead of standard output; with --validate, the scenario as read");
-  app->add_option("--maps", parameters.maps_directory, "directory for each trial's octrees");
-  app->add_option("--record", parameters.record_directory,
-                  "directory for each trial's evidence (seed_N.evidence)");
-  app->add_flag("--validate", arguments->validate, "only check the scenario");
+  add("maps", po::value(&parameters.maps_directory)->value_name("DIRECTORY"),
+      "directory for each trial's octrees");
+  add("record", po::value(&parameters.record_directory)->value_name("DIRECTORY"),
+      "directory for each trial's evidence (seed_N.evidence)");
+  add("validate", po::bool_switch(&arguments->validate), "only check the scenario");
+  return options;
 }
 
 bool writeFile(const std::string& json, const std::string& file) {
@@ -162,24 +161,18 @@ int run(Arguments arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Trials of simultaneous mapping and object reconstruction by touch",
-               "smore_experiment");
-  declare(&app, &arguments);
   try {
-    app.parse(argc, argv);
+    Arguments arguments;
+    if (const auto help = smore::readCommandLine(argc, argv, optionsFor(&arguments))) {
+      std::cout << *help;
+      return 0;
+    }
     arguments.parameters.method = smore::methodKind(arguments.method);
     if (!arguments.method_parameters.empty() && arguments.method != "smore") {
-      throw CLI::ValidationError("--parameters", "only the method smore takes them");
+      throw smore::InputError("--parameters: only the method smore takes them");
     }
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    std::cerr << error.what() << "; --help lists the options" << std::endl;
-    return kBadInput;
-  }
-  std::signal(SIGINT, onInterrupt);
-  std::signal(SIGTERM, onInterrupt);
-  try {
+    std::signal(SIGINT, onInterrupt);
+    std::signal(SIGTERM, onInterrupt);
     return run(std::move(arguments));
   } catch (const smore::InputError& error) {
     std::cerr << error.what() << std::endl;

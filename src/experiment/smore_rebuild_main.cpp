@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Makes the maps of recorded evidence anew, the same ones or with another method or parameters.
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "smore/common/result.h"
+#include "smore/experiment/command_line.h"
 #include "smore/experiment/output_paths.h"
 #include "smore/experiment/rebuild.h"
 
 namespace {
+
+namespace po = boost::program_options;
 
 constexpr int kInternalError = 1;
 constexpr int kBadInput = 2;
@@ -20,17 +22,20 @@ struct Arguments {
   std::string output;
 };
 
-void declare(CLI::App* app, Arguments* arguments) {
-  app->add_option("--evidence", arguments->evidence, "file of smore_experiment --record")
-      ->required();
-  app->add_option("--method", arguments->method, "instead of the recorded one")
-      ->check(CLI::IsMember(smore::methodNames()));
-  app->add_option("--parameters", arguments->method_parameters,
-                  "file (YAML) with parameters of the method smore instead of the recorded ones");
-  app->add_option("--voxel-size", arguments->voxel_size, "of the maps [m], instead of the recorded")
-      ->check(CLI::Range(1e-3, 1.0));
-  app->add_option("--output", arguments->output, "directory for the maps and summary.json")
-      ->required();
+po::options_description optionsFor(Arguments* arguments) {
+  po::options_description options("Makes the maps of recorded evidence");
+  auto add = options.add_options();
+  add("evidence", po::value(&arguments->evidence)->value_name("FILE")->required(),
+      "file of smore_experiment --record");
+  add("method", new smore::ChoiceOption(&arguments->method, smore::methodNames()),
+      "instead of the recorded one");
+  add("parameters", po::value(&arguments->method_parameters)->value_name("FILE"),
+      "file (YAML) with parameters of the method smore instead of the recorded ones");
+  add("voxel-size", new smore::NumberOption<double>(&arguments->voxel_size, 1e-3, 1.0),
+      "of the maps [m], instead of the recorded");
+  add("output", po::value(&arguments->output)->value_name("DIRECTORY")->required(),
+      "directory for the maps and summary.json");
+  return options;
 }
 
 int run(const Arguments& arguments) {
@@ -61,17 +66,12 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Makes the maps of recorded evidence", "smore_rebuild");
-  declare(&app, &arguments);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    std::cerr << error.what() << "; --help lists the options" << std::endl;
-    return kBadInput;
-  }
-  try {
+    Arguments arguments;
+    if (const auto help = smore::readCommandLine(argc, argv, optionsFor(&arguments))) {
+      std::cout << *help;
+      return 0;
+    }
     return run(arguments);
   } catch (const smore::InputError& error) {
     std::cerr << error.what() << std::endl;

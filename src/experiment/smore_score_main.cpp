@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Replays recorded trials through the belief as it is now and writes proper scores of it as JSON.
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "smore/common/result.h"
 #include "smore/common/version.h"
+#include "smore/experiment/command_line.h"
 #include "smore/experiment/output_paths.h"
 #include "smore/experiment/score_report.h"
 
 namespace {
 
+namespace po = boost::program_options;
+
 constexpr int kInternalError = 1;
 constexpr int kBadInput = 2;
+constexpr const char* kEvidence = "evidence";
 
 struct Arguments {
   std::vector<std::string> evidence;
@@ -22,13 +25,18 @@ struct Arguments {
   bool quick = false;
 };
 
-void declare(CLI::App* app, Arguments* arguments) {
-  app->add_option("evidence", arguments->evidence, "files of smore_experiment --record")
-      ->required();
-  app->add_option("--parameters", arguments->method_parameters,
-                  "file (YAML) that changes parameters of the belief");
-  app->add_option("--output", arguments->output, "file (JSON) instead of standard output");
-  app->add_flag("--quick", arguments->quick, "a first look: fewer motions, seeds and shuffles");
+po::options_description optionsFor(Arguments* arguments) {
+  po::options_description options("Proper scores of the belief on recorded trials");
+  auto add = options.add_options();
+  add(kEvidence, po::value(&arguments->evidence)->value_name("FILE")->required(),
+      "files of smore_experiment --record; the option's name may be left out");
+  add("parameters", po::value(&arguments->method_parameters)->value_name("FILE"),
+      "file (YAML) that changes parameters of the belief");
+  add("output", po::value(&arguments->output)->value_name("FILE"),
+      "file (JSON) instead of standard output");
+  add("quick", po::bool_switch(&arguments->quick),
+      "a first look: fewer motions, seeds and shuffles");
+  return options;
 }
 
 int run(const Arguments& arguments) {
@@ -70,17 +78,12 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Proper scores of the belief on recorded trials", "smore_score");
-  declare(&app, &arguments);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    std::cerr << error.what() << "; --help lists the options" << std::endl;
-    return kBadInput;
-  }
-  try {
+    Arguments arguments;
+    if (const auto help = smore::readCommandLine(argc, argv, optionsFor(&arguments), kEvidence)) {
+      std::cout << *help;
+      return 0;
+    }
     return run(arguments);
   } catch (const smore::InputError& error) {
     std::cerr << error.what() << std::endl;

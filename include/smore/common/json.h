@@ -5,7 +5,7 @@
 
 namespace smore {
 
-/// JSON whose objects keep the order of their keys.
-using Json = nlohmann::ordered_json;
+/// JSON whose objects sort their keys: nlohmann of before 3.9 keeps no other order.
+using Json = nlohmann::json;
 
 }  // namespace smore
