@@ -1,0 +1,30 @@
+# Libraries that the package is built on. As each Linux distribution of some years tells of them in its own way,
+# their targets are made here, alike everywhere.
+
+find_package(Boost REQUIRED CONFIG COMPONENTS program_options)
+find_package(Eigen3 REQUIRED)
+find_package(Threads REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(octomap REQUIRED)
+find_package(ompl REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(PkgConfig REQUIRED)
+
+# smore_pkg_config(PREFIX MODULE [REQUIRED]): the target PkgConfig::PREFIX, which leaves the C++ standard to this
+# package.
+macro(smore_pkg_config prefix module)
+  pkg_check_modules(${prefix} ${ARGN} IMPORTED_TARGET ${module})
+  list(FILTER ${prefix}_CFLAGS_OTHER EXCLUDE REGEX "^-std=")
+  if(${prefix}_FOUND)
+    set_target_properties(PkgConfig::${prefix} PROPERTIES
+      INTERFACE_COMPILE_OPTIONS "${${prefix}_CFLAGS_OTHER}")
+  endif()
+endmacro()
+smore_pkg_config(ASSIMP assimp REQUIRED)
+smore_pkg_config(BULLET bullet-float64 REQUIRED)
+smore_pkg_config(FCL fcl REQUIRED)
+smore_pkg_config(URDFDOM urdfdom REQUIRED)
+
+# Of Bullet's extras, but free of Bullet.
+find_path(HACD_INCLUDE_DIR HACD/hacdHACD.h PATH_SUFFIXES bullet)
+find_library(HACD_LIBRARY HACD-float64)
