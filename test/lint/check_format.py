@@ -3,10 +3,11 @@
 """All C++ is formatted as .clang-format says. To repair: clang-format -i FILE."""
 import subprocess
 
-from project import code_files, report
+from project import code_files, only_with, report
 
 
 def main():
+    only_with("clang-format", "14")
     paths = code_files()
     result = subprocess.run(
         ["clang-format", "--dry-run", "-Werror", *paths], capture_output=True, text=True

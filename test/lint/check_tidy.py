@@ -14,7 +14,7 @@ import pathlib
 import subprocess
 import sys
 
-from project import ROOT, code_files, files, report
+from project import ROOT, code_files, files, only_with, report
 
 # Warnings that clang gives for what gcc's flags allow, or about headers that are not ours.
 NOISE = ("warnings generated", "warning generated", "Suppressed ", "Use -header-filter")
@@ -49,6 +49,7 @@ def check(build, memory, shared, source):
 
 
 def main():
+    only_with("clang-tidy", "14")
     build = pathlib.Path(sys.argv[1])
     sources = [pathlib.Path(name).resolve() for name in sys.argv[2:]] or files(("src",), "*.cpp")
     shared = [ROOT / ".clang-tidy"] + [p for p in code_files(("include", "src")) if p.suffix == ".h"]

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the lint tests share: the project's files, and how findings are told."""
 import pathlib
+import re
+import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+SKIPPED = 77  # exit status, as CTest is told
 CODE_FOLDERS = ("include", "src", "test", "benchmark")
 
 
@@ -35,6 +38,15 @@ def shell_scripts():
 
 def say(path, line, problem):
     return f"{path.relative_to(ROOT)}:{line}: {problem}"
+
+
+def only_with(tool, version):
+    """Ends the program with SKIPPED where `tool` is of another version than the one that the sources follow
+    (Debian 12's): each finds something else."""
+    said = subprocess.run([tool, "--version"], capture_output=True, text=True).stdout
+    if not re.search(rf"version:? {re.escape(version)}\b", said):
+        print(f"skipped: this is not {tool} {version}")
+        sys.exit(SKIPPED)
 
 
 def report(findings, checked):
