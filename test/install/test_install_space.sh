@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# What is installed is complete: definitions, programs, tools, libraries with all that their headers need, and a
+# retrieval from it.
+# usage: test_install_space.sh BUILD_FOLDER SOURCE_FOLDER
+set -euo pipefail
+build=$1
+source=$2
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+prefix=$scratch/prefix
+
+fail() {
+  echo "install space: $*" >&2
+  exit 1
+}
+
+cmake --install "$build" --prefix "$prefix" >"$scratch/install.log" || fail "$(cat "$scratch/install.log")"
+
+# The build's own environment must not help.
+unset CMAKE_PREFIX_PATH LD_LIBRARY_PATH PKG_CONFIG_PATH PYTHONPATH ROS_PACKAGE_PATH
+set +u # catkin's setup reads variables that may not be set
+source "$prefix/setup.bash"
+set -u
+
+[ "$(rospack find smore)" = "$prefix/share/smore" ] || fail "rospack finds smore in $(rospack find smore)"
+rosmsg show smore/ContactObservation >/dev/null || fail "rosmsg does not know smore/ContactObservation"
+rossrv show smore/TwinMaps | grep -q "octomap_msgs/Octomap world" || fail "rossrv does not know smore/TwinMaps"
+/usr/bin/python3 -c "import smore.msg, smore.srv; assert smore.__file__.startswith('$prefix')" ||
+  fail "Python takes the messages from elsewhere"
+
+cmake -S "$source/test/install/consumer" -B "$scratch/consumer" >"$scratch/consumer.log" &&
+  cmake --build "$scratch/consumer" >>"$scratch/consumer.log" 2>&1 || fail "$(cat "$scratch/consumer.log")"
+"$scratch/consumer/consumer" >"$scratch/scenarios" || fail "a program that uses the libraries ends with an error"
+[ "$(cat "$scratch/scenarios")" = "$prefix/share/smore/config/scenarios" ] ||
+  fail "the libraries read the scenarios of $(cat "$scratch/scenarios")"
+
+port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
+export ROS_MASTER_URI=http://localhost:$port
+"$source/scripts/run_with_limit.py" 300 roslaunch -p "$port" smore retrieval.launch \
+  scenario:=one_peg rviz:=false "output:=$scratch/output" >"$scratch/launch.log" 2>&1 || true
+grep -q '"success": true' "$scratch/output/summary.json" || fail "$(tail -n 40 "$scratch/launch.log")"
+"$prefix/share/smore/python/plot_maps.py" --scenario one_peg --maps "$scratch/output" \
+  --path "$scratch/output/summary.json" >/dev/null || fail "the installed tools draw no picture"
+[ -s "$scratch/output/maps.png" ] || fail "the installed tools write no picture"
