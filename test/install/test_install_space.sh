@@ -2,20 +2,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What is installed is complete: definitions, programs, tools, libraries with all that their headers need, and a
 # retrieval from it.
-# usage: test_install_space.sh BUILD_FOLDER SOURCE_FOLDER
+# usage: test_install_space.sh BUILD_FOLDER SOURCE_FOLDER INSTALL_PREFIX
 set -euo pipefail
 build=$1
 source=$2
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-prefix=$scratch/prefix
+prefix=$scratch/root$3
 
 fail() {
   echo "install space: $*" >&2
   exit 1
 }
 
-cmake --install "$build" --prefix "$prefix" >"$scratch/install.log" || fail "$(cat "$scratch/install.log")"
+# catkin's setup files go to the prefix that was configured, whatever --prefix says.
+DESTDIR=$scratch/root cmake --install "$build" >"$scratch/install.log" || fail "$(cat "$scratch/install.log")"
 
 # The build's own environment must not help.
 unset CMAKE_PREFIX_PATH LD_LIBRARY_PATH PKG_CONFIG_PATH PYTHONPATH ROS_PACKAGE_PATH
@@ -25,7 +26,7 @@ set -u
 
 [ "$(rospack find smore)" = "$prefix/share/smore" ] || fail "rospack finds smore in $(rospack find smore)"
 rosmsg show smore/ContactObservation >/dev/null || fail "rosmsg does not know smore/ContactObservation"
-rossrv show smore/TwinMaps | grep -q "octomap_msgs/Octomap world" || fail "rossrv does not know smore/TwinMaps"
+[[ $(rossrv show smore/TwinMaps) == *"octomap_msgs/Octomap world"* ]] || fail "rossrv does not know smore/TwinMaps"
 /usr/bin/python3 -c "import smore.msg, smore.srv; assert smore.__file__.startswith('$prefix')" ||
   fail "Python takes the messages from elsewhere"
 
