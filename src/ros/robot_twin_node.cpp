@@ -117,6 +117,8 @@ class RobotTwin {
   /// The driver answers when it has written to the robot; the zeroing follows.
   bool onZero(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
     zero_at_ = now() + parameters_.zero_delay;
+    zero_sum_ = {};
+    zero_samples_ = 0;
     response.success = static_cast<unsigned char>(true);
     return true;
   }
@@ -187,10 +189,18 @@ class RobotTwin {
     moveRobot();
     samples_.push(now + latency_(random_), sample());
     while (const auto arrived = samples_.pop(now)) publish(*arrived);
-    if (zero_at_ && now >= *zero_at_) {
-      zero_wrench_ = robot_->reading().wrench;
-      zero_at_.reset();
-    }
+    if (zero_at_) zero(now);
+  }
+
+  /// A single sample would leave its noise in all that follow: the mean over the delay is the zero.
+  void zero(double now) {
+    const Wrench reading = robot_->reading().wrench;
+    zero_sum_.force += reading.force;
+    zero_sum_.torque += reading.torque;
+    ++zero_samples_;
+    if (now < *zero_at_) return;
+    zero_wrench_ = {zero_sum_.force / zero_samples_, zero_sum_.torque / zero_samples_};
+    zero_at_.reset();
   }
 
   /// The controller tells the robot each cycle where to be at its end, and how fast: a point beyond
@@ -267,6 +277,8 @@ class RobotTwin {
   bool cut_off_ = false;
   Wrench zero_wrench_;             ///< taken off by the last zeroing
   std::optional<double> zero_at_;  ///< when the next zeroing happens [s]
+  Wrench zero_sum_;                ///< of the samples since it was asked for
+  int zero_samples_ = 0;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_, private_node_{"~"};
   ros::Publisher joints_, wrench_, tf_, tf_static_, scene_, scaling_, running_, state_,
