@@ -17,6 +17,7 @@
 #include <memory>
 #include <random>
 
+#include "delayed_zero.h"
 #include "robot_twin_parameters.h"
 #include "simulated_driver.h"
 #include "smore/common/delay_line.h"
@@ -89,7 +90,8 @@ class RobotTwin {
     command_ = node_.subscribe("scaled_pos_joint_traj_controller/command", names::kStreamQueue,
                                &RobotTwin::onCommand, this, hints);
     slider_topic_ = private_node_.subscribe("slider", 1, &RobotTwin::onSlider, this);
-    zero_ = node_.advertiseService("ur_hardware_interface/zero_ftsensor", &RobotTwin::onZero, this);
+    zeroing_ =
+        node_.advertiseService("ur_hardware_interface/zero_ftsensor", &RobotTwin::onZero, this);
     stop_ = private_node_.advertiseService("protective_stop", &RobotTwin::onProtectiveStop, this);
     play_ = private_node_.advertiseService("play", &RobotTwin::onPlay, this);
     run_ = private_node_.advertiseService("run_controller", &RobotTwin::onRunController, this);
@@ -116,9 +118,7 @@ class RobotTwin {
 
   /// The driver answers when it has written to the robot; the zeroing follows.
   bool onZero(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
-    zero_at_ = now() + parameters_.zero_delay;
-    zero_sum_ = {};
-    zero_samples_ = 0;
+    zero_.ask(now() + parameters_.zero_delay);
     response.success = static_cast<unsigned char>(true);
     return true;
   }
@@ -189,18 +189,7 @@ class RobotTwin {
     moveRobot();
     samples_.push(now + latency_(random_), sample());
     while (const auto arrived = samples_.pop(now)) publish(*arrived);
-    if (zero_at_) zero(now);
-  }
-
-  /// A single sample would leave its noise in all that follow: the mean over the delay is the zero.
-  void zero(double now) {
-    const Wrench reading = robot_->reading().wrench;
-    zero_sum_.force += reading.force;
-    zero_sum_.torque += reading.torque;
-    ++zero_samples_;
-    if (now < *zero_at_) return;
-    zero_wrench_ = {zero_sum_.force / zero_samples_, zero_sum_.torque / zero_samples_};
-    zero_at_.reset();
+    zero_.observe(now, robot_->reading().wrench);
   }
 
   /// The controller tells the robot each cycle where to be at its end, and how fast: a point beyond
@@ -231,8 +220,8 @@ class RobotTwin {
       last_.joints.position = robot_->jointPositions();
       last_.joints.velocity = robot_->jointVelocities();
       Wrench felt = robot_->reading().wrench;
-      felt.force -= zero_wrench_.force;
-      felt.torque -= zero_wrench_.torque;
+      felt.force -= zero_.offset().force;
+      felt.torque -= zero_.offset().torque;
       last_.wrench.wrench = toMessage(felt);
       last_.wrench.header.frame_id = driver_->sensorFrame();
     }
@@ -275,16 +264,13 @@ class RobotTwin {
   DriverSample last_;
   double slider_ = 1.0;
   bool cut_off_ = false;
-  Wrench zero_wrench_;             ///< taken off by the last zeroing
-  std::optional<double> zero_at_;  ///< when the next zeroing happens [s]
-  Wrench zero_sum_;                ///< of the samples since it was asked for
-  int zero_samples_ = 0;
+  DelayedZero zero_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_, private_node_{"~"};
   ros::Publisher joints_, wrench_, tf_, tf_static_, scene_, scaling_, running_, state_,
       safety_mode_;
   ros::Subscriber command_, slider_topic_;
-  ros::ServiceServer zero_, stop_, play_, cut_, run_;
+  ros::ServiceServer zeroing_, stop_, play_, cut_, run_;
 };
 
 void runTwin() {
