@@ -203,7 +203,7 @@ std::string MotionGuard::silence(double now) const {
 std::string MotionGuard::problemOf(const JointTrajectory& trajectory) const {
   if (!wrench_beat_.stamp) return "a motion was commanded before any wrench came";
   if (state_.positions.empty()) return "a motion was commanded before any joint states came";
-  if (!contact_beat_.stamp) return "a motion was commanded before any contact observation came";
+  if (!contact_beat_.stamp) return "a motion was commanded before the listener had tared";
   const auto motion = ordered(trajectory, joint_names_);
   if (!motion) return "the commanded trajectory is not one of all of the robot's joints";
   for (const JointTrajectoryPoint& point : motion->points) {

@@ -10,6 +10,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "program_main.h"
 #include "smore/common/result.h"
 #include "smore/experiment/command_line.h"
 #include "smore/experiment/experiment.h"
@@ -23,8 +24,6 @@ namespace {
 
 namespace po = boost::program_options;
 
-constexpr int kInternalError = 1;
-constexpr int kBadInput = 2;
 constexpr int kInterrupted = 130;
 constexpr int kMany = 1000000;
 
@@ -125,10 +124,16 @@ int exitCode(const std::vector<smore::TrialResult>& trials) {
   if (broken == 0) return 0;
   std::cerr << broken << " of " << trials.size() << " trials broke off; their reasons stand in "
             << "the results" << std::endl;
-  return kInternalError;
+  return smore::kInternalError;
 }
 
 int run(Arguments arguments) {
+  arguments.parameters.method = smore::methodKind(arguments.method);
+  if (!arguments.method_parameters.empty() && arguments.method != "smore") {
+    throw smore::InputError("--parameters: only the method smore takes them");
+  }
+  std::signal(SIGINT, onInterrupt);
+  std::signal(SIGTERM, onInterrupt);
   const std::string file =
       smore::findScenario(arguments.scenario, smore::shippedScenarioDirectory());
   const smore::Scenario scenario = smore::loadScenario(file);
@@ -146,39 +151,22 @@ int run(Arguments arguments) {
     if (!told) std::cerr << arguments.output << ": cannot be written" << std::endl;
     std::cerr << file << ": valid" << (for_real_robots ? ", a task for a real robot" : "")
               << decompositions(scenario) << std::endl;
-    return told ? 0 : kInternalError;
+    return told ? 0 : smore::kInternalError;
   }
-  if (!canWriteOutputs(arguments)) return kInternalError;
+  if (!canWriteOutputs(arguments)) return smore::kInternalError;
   smore::ProgressDisplay display(&std::cerr, isatty(STDERR_FILENO) != 0,
                                  arguments.parameters.trials);
   const auto trials =
       smore::runExperiment(scenario, arguments.parameters, interrupted,
                            [&display](const auto& progress) { display.update(progress); });
   const std::string json = smore::toJson(scenario, arguments.parameters, trials);
-  return write(json, arguments.output) ? exitCode(trials) : kInternalError;
+  return write(json, arguments.output) ? exitCode(trials) : smore::kInternalError;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    Arguments arguments;
-    if (const auto help = smore::readCommandLine(argc, argv, optionsFor(&arguments))) {
-      std::cout << *help;
-      return 0;
-    }
-    arguments.parameters.method = smore::methodKind(arguments.method);
-    if (!arguments.method_parameters.empty() && arguments.method != "smore") {
-      throw smore::InputError("--parameters: only the method smore takes them");
-    }
-    std::signal(SIGINT, onInterrupt);
-    std::signal(SIGTERM, onInterrupt);
-    return run(std::move(arguments));
-  } catch (const smore::InputError& error) {
-    std::cerr << error.what() << std::endl;
-    return kBadInput;
-  } catch (const std::exception& error) {
-    std::cerr << "internal error: " << error.what() << std::endl;
-    return kInternalError;
-  }
+  Arguments arguments;
+  const auto options = optionsFor(&arguments);
+  return smore::runProgram(argc, argv, options, [&] { return run(std::move(arguments)); });
 }

@@ -2,6 +2,7 @@
 // Makes the maps of recorded evidence anew, the same ones or with another method or parameters.
 #include <iostream>
 
+#include "program_main.h"
 #include "smore/common/result.h"
 #include "smore/experiment/command_line.h"
 #include "smore/experiment/output_paths.h"
@@ -10,9 +11,6 @@
 namespace {
 
 namespace po = boost::program_options;
-
-constexpr int kInternalError = 1;
-constexpr int kBadInput = 2;
 
 struct Arguments {
   std::string evidence;
@@ -53,7 +51,7 @@ int run(const Arguments& arguments) {
   const std::string problem = smore::problemOfDirectory(arguments.output);
   if (!problem.empty()) {
     std::cerr << problem << std::endl;
-    return kInternalError;
+    return smore::kInternalError;
   }
   if (!evidence.whole) {
     std::cerr << arguments.evidence << ": the last record was cut; the maps are of "
@@ -66,18 +64,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    Arguments arguments;
-    if (const auto help = smore::readCommandLine(argc, argv, optionsFor(&arguments))) {
-      std::cout << *help;
-      return 0;
-    }
-    return run(arguments);
-  } catch (const smore::InputError& error) {
-    std::cerr << error.what() << std::endl;
-    return kBadInput;
-  } catch (const std::exception& error) {
-    std::cerr << "internal error: " << error.what() << std::endl;
-    return kInternalError;
-  }
+  Arguments arguments;
+  const auto options = optionsFor(&arguments);
+  return smore::runProgram(argc, argv, options, [&] { return run(arguments); });
 }

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "program_main.h"
 #include "smore/common/result.h"
 #include "smore/common/version.h"
 #include "smore/experiment/command_line.h"
@@ -14,8 +15,6 @@ namespace {
 
 namespace po = boost::program_options;
 
-constexpr int kInternalError = 1;
-constexpr int kBadInput = 2;
 constexpr const char* kEvidence = "evidence";
 
 struct Arguments {
@@ -44,7 +43,7 @@ int run(const Arguments& arguments) {
       arguments.output.empty() ? "" : smore::problemOfFile(arguments.output);
   if (!problem.empty()) {
     std::cerr << problem << std::endl;
-    return kInternalError;
+    return smore::kInternalError;
   }
   smore::MethodParameters parameters;
   if (!arguments.method_parameters.empty()) {
@@ -70,7 +69,7 @@ int run(const Arguments& arguments) {
   stream << json.dump(2) << std::endl;
   if (!stream) {
     std::cerr << arguments.output << ": cannot be written; check the disk" << std::endl;
-    return kInternalError;
+    return smore::kInternalError;
   }
   return 0;
 }
@@ -78,18 +77,8 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    Arguments arguments;
-    if (const auto help = smore::readCommandLine(argc, argv, optionsFor(&arguments), kEvidence)) {
-      std::cout << *help;
-      return 0;
-    }
-    return run(arguments);
-  } catch (const smore::InputError& error) {
-    std::cerr << error.what() << std::endl;
-    return kBadInput;
-  } catch (const std::exception& error) {
-    std::cerr << "internal error: " << error.what() << std::endl;
-    return kInternalError;
-  }
+  Arguments arguments;
+  const auto options = optionsFor(&arguments);
+  return smore::runProgram(
+      argc, argv, options, [&] { return run(arguments); }, kEvidence);
 }

@@ -44,6 +44,21 @@ void takeName(const std::string& file, const std::string& name) {
 
 }  // namespace
 
+/// A file with a name that it took once these observations were in it.
+struct OpenEvidence {
+  OpenEvidence(const std::string& name, const EvidenceSource& source,
+               const std::vector<ContactObservation>& observations)
+      : writer(name + ".part"), recorder(&writer, source) {
+    for (const ContactObservation& observation : observations) recorder.observe(observation);
+    takeName(name + ".part", name);
+  }
+
+  JsonLinesWriter writer;
+  EvidenceRecorder recorder;
+};
+
+EvidenceJournal::~EvidenceJournal() = default;
+
 EvidenceJournal::EvidenceJournal(const std::string& directory, EvidenceSource source)
     : directory_(directory), source_(std::move(source)) {
   std::error_code problem;
@@ -56,17 +71,11 @@ EvidenceJournal::EvidenceJournal(const std::string& directory, EvidenceSource so
 
 void EvidenceJournal::begin(const std::vector<ContactObservation>& observations) {
   const std::string name = fileName(directory_, newestNumber(directory_) + 1);
-  auto writer = std::make_unique<JsonLinesWriter>(name + ".part");
-  auto recorder = std::make_unique<EvidenceRecorder>(writer.get(), source_);
-  for (const ContactObservation& observation : observations) recorder->observe(observation);
-  takeName(name + ".part", name);
-  recorder_ = std::move(recorder);
-  writer_ = std::move(writer);
-  file_ = name;
+  file_ = std::make_unique<OpenEvidence>(name, source_, observations);
 }
 
 void EvidenceJournal::observe(const ContactObservation& observation) {
-  recorder_->observe(observation);
+  file_->recorder.observe(observation);
 }
 
 std::optional<std::string> EvidenceJournal::newest(const std::string& directory) {
@@ -77,13 +86,7 @@ std::optional<std::string> EvidenceJournal::newest(const std::string& directory)
 
 void writeEvidence(const std::string& file, const EvidenceSource& source,
                    const std::vector<ContactObservation>& observations) {
-  const std::string part = file + ".part";
-  {
-    JsonLinesWriter writer(part);
-    EvidenceRecorder recorder(&writer, source);
-    for (const ContactObservation& observation : observations) recorder.observe(observation);
-  }
-  takeName(part, file);
+  const OpenEvidence written(file, source, observations);
 }
 
 }  // namespace smore

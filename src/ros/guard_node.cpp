@@ -136,11 +136,8 @@ class GuardNode {
   }
 
   void onContact(const smore_msgs::ContactObservation& message) {
-    // A listener that starts up is unsure and uneven; nothing moves before it has tared.
-    listening_ = listening_ || message.state != smore_msgs::ContactObservation::UNSURE;
-    if (listening_) {
-      guard_.onContact(measuredAt(message.header.stamp), message.header.stamp.toSec());
-    }
+    const bool unsure = message.state == smore_msgs::ContactObservation::UNSURE;
+    guard_.onContact(measuredAt(message.header.stamp), message.header.stamp.toSec(), !unsure);
     const bool touching = message.state == smore_msgs::ContactObservation::CONTACT;
     if (reflex_.onObservation(touching, message.contact_id)) halt();
   }
@@ -255,7 +252,6 @@ class GuardNode {
   ros::ServiceServer stop_, clear_;
   std::optional<ControllerWatch> controller_;
   std::string published_;
-  bool listening_ = false;  ///< whether the listener has tared
 };
 
 void runGuard() {

@@ -9,6 +9,23 @@
 #include "smore/common/result.h"
 
 namespace smore {
+namespace {
+
+/// Whether the observation was news. std::out_of_range, and nothing changes, where it does not fit
+/// into the maps.
+bool learn(const ContactObservation& observation, MapState* state) {
+  if (!state->log.add(observation)) return false;
+  try {
+    state->maps->observe(observation);
+  } catch (const std::out_of_range&) {
+    state->log.dropLast();
+    throw;
+  }
+  if (observation.line) state->lines.push_back(*observation.line);
+  return true;
+}
+
+}  // namespace
 
 MapKeeper::MapKeeper(MakeMaps make_maps, const EvidenceSpacing& spacing,
                      std::unique_ptr<EvidenceJournal> journal)
@@ -65,9 +82,7 @@ void MapKeeper::load(const std::vector<ContactObservation>& observations) {
   try {
     for (const ContactObservation& observation : observations) {
       contacts = std::max(contacts, observation.contact_id);
-      if (!loaded.log.add(observation)) continue;
-      loaded.maps->observe(observation);
-      if (observation.line) loaded.lines.push_back(*observation.line);
+      learn(observation, &loaded);
     }
   } catch (const std::out_of_range& error) {
     throw InputError(std::string("an observation lies outside of the maps (") + error.what() +
@@ -106,23 +121,20 @@ void MapKeeper::take(ContactObservation observation) {
   {
     const std::lock_guard<std::mutex> lock(state_mutex_);
     observation.contact_id = numbering_.numberOf(observation.contact_id);
-    learn(observation);
+    takeIn(observation);
     state_.stamp = observation.time;
   }
   taken_.notify_all();
 }
 
-void MapKeeper::learn(const ContactObservation& observation) {
-  if (!state_.log.add(observation)) return;
+void MapKeeper::takeIn(const ContactObservation& observation) {
   try {
-    state_.maps->observe(observation);
+    if (!learn(observation, &state_)) return;
   } catch (const std::out_of_range& error) {
-    state_.log.dropLast();
     problem_ = std::string("observation left out: it lies outside of the maps (") + error.what() +
                "); check tf, or use larger voxels";
     return;
   }
-  if (observation.line) state_.lines.push_back(*observation.line);
   writeJournal([&] { journal_->observe(observation); });
 }
 

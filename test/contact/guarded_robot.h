@@ -33,7 +33,7 @@ class MotionGuardTest : public ::testing::Test {
       now_ += kPeriod;
       if (wrenches) guard_.onWrench(now_, now_, wrench_);
       if (joints) guard_.onJoints(now_, {now_, kJoints, positions_, velocities_});
-      if (contacts) guard_.onContact(now_, now_);
+      if (contacts) guard_.onContact(now_, now_, true);
       guard_.check(now_);
     }
   }

@@ -73,7 +73,7 @@ TEST_F(MotionGuardTest, ARepeatedMessageIsSilence) {
     now_ += kPeriod;
     guard_.onWrench(now_, 1.0, wrench_);
     guard_.onJoints(now_, {now_, kJoints, positions_, velocities_});
-    guard_.onContact(now_, now_);
+    guard_.onContact(now_, now_, true);
     guard_.check(now_);
   }
   EXPECT_NE(guard_.fault().find("no wrench younger"), std::string::npos) << guard_.fault();
@@ -86,7 +86,7 @@ TEST_F(MotionGuardTest, MessagesOfLongAgoAreSilence) {
       now_ += kPeriod;
       guard_.onWrench(now_ - wrench_age, now_, wrench_);
       guard_.onJoints(now_ - joints_age, {now_, kJoints, positions_, velocities_});
-      guard_.onContact(now_, now_);
+      guard_.onContact(now_, now_, true);
       guard_.check(now_);
     }
   };
@@ -130,10 +130,30 @@ TEST_F(MotionGuardTest, ContactObservationsThatStayOutLatchAtRest) {
 TEST_F(MotionGuardTest, ContactObservationsOfLongAgoLatchAtRest) {
   for (int i = 0; i < 5; ++i) {
     run(kPeriod, true, true, false);
-    guard_.onContact(now_, now_ - 0.06);
+    guard_.onContact(now_, now_ - 0.06, true);
   }
   guard_.check(now_);
   EXPECT_NE(guard_.fault().find("contact observations are late"), std::string::npos);
+}
+
+// As of a listener on a busy machine, before it has tared.
+TEST(MotionGuard, ObservationsThatAreUnevenAtTheStartDoNotLatch) {
+  MotionGuard guard({}, {"joint"});
+  const auto wrench_at = [&](double time) {
+    guard.onWrench(time, time, {});
+    guard.onJoints(time, {time, {"joint"}, {0.0}, {0.0}});
+    guard.check(time);
+  };
+  wrench_at(0.0);
+  guard.onContact(0.0, 0.0, false);
+  for (int i = 1; i <= 200; ++i) wrench_at(kPeriod * i);
+  EXPECT_EQ(guard.fault(), "");
+  EXPECT_FALSE(guard.admit(kPeriod * 200, {{"joint"}, {{1.0, {0.0}, {}}}})) << "it is not felt yet";
+  guard.clear(kPeriod * 200);
+  guard.onContact(kPeriod * 200, kPeriod * 200, true);
+  guard.onContact(kPeriod * 201, kPeriod * 201, false);  // it counts from now on, sure or not
+  for (int i = 201; i <= 240; ++i) wrench_at(kPeriod * i);
+  EXPECT_NE(guard.fault().find("contact observations are late"), std::string::npos);
 }
 
 TEST(MotionGuard, NothingMovesBeforeAllStreamsHaveSpoken) {
@@ -149,7 +169,7 @@ TEST(MotionGuard, NothingMovesBeforeAllStreamsHaveSpoken) {
   numb.onWrench(0.0, 0.0, {});
   numb.onJoints(0.0, {0.0, {"joint"}, {0.0}, {0.0}});
   EXPECT_FALSE(numb.admit(0.0, motion));
-  EXPECT_NE(numb.fault().find("before any contact observation"), std::string::npos);
+  EXPECT_NE(numb.fault().find("before the listener had tared"), std::string::npos);
 }
 
 TEST_F(MotionGuardTest, ValuesThatAreNotFiniteLatch) {

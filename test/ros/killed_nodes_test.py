@@ -4,30 +4,14 @@
 
 import os
 import signal
-import unittest
 
 import rostest
 
-from node_killing import MOST, RunningLoop, Simulator
-from node_testing import start_node
-
-LAUNCH_FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "guarded_loop.launch")
+from node_killing import KillingTest
 
 
-class KilledNodes(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        start_node("killed_nodes_test")
-        cls.simulator = Simulator()
-
-    def setUp(self):
-        self.assertTrue(self.simulator.reset().success)
-        self.loop = RunningLoop(LAUNCH_FILE, "ur5e_one_peg_quiet")
-        self.addCleanup(self.loop.end)
-        self.assertTrue(self.simulator.wait_for_motion())
-
-    def stands_after(self, end_node, *arguments):
-        self.assertLess(self.simulator.rest_after(lambda: end_node(*arguments)), MOST)
+class KilledNodes(KillingTest):
+    LAUNCH_FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "guarded_loop.launch")
 
     def test_the_guard_is_killed(self):
         self.stands_after(self.loop.signal, "guard", signal.SIGKILL)

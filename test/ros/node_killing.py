@@ -4,6 +4,7 @@
 import os
 import signal
 import subprocess
+import unittest
 import xmlrpc.client
 
 import actionlib
@@ -12,7 +13,7 @@ import rospy
 from sensor_msgs.msg import JointState
 from std_srvs.srv import Trigger
 
-from node_testing import DEADLINE, Recorder
+from node_testing import DEADLINE, Recorder, start_node
 from smore.msg import RetrieveAction, RetrieveGoal
 
 CALLER = "/node_killing"
@@ -56,6 +57,26 @@ class Simulator:
         states = [m for m in self.joints.messages() if m.header.stamp.to_sec() > begin]
         moving = [m.header.stamp.to_sec() - begin for m in states if speed(m) > STANDS]
         return moving[-1] if moving else 0.0
+
+
+class KillingTest(unittest.TestCase):
+    """A retrieval that moves the arm, by a launch file that the derived class names."""
+
+    LAUNCH_FILE = None
+
+    @classmethod
+    def setUpClass(cls):
+        start_node("killing_test")
+        cls.simulator = Simulator()
+
+    def setUp(self):
+        self.assertTrue(self.simulator.reset().success)
+        self.loop = RunningLoop(self.LAUNCH_FILE, "ur5e_one_peg_quiet")
+        self.addCleanup(self.loop.end)
+        self.assertTrue(self.simulator.wait_for_motion())
+
+    def stands_after(self, end_node, *arguments):
+        self.assertLess(self.simulator.rest_after(lambda: end_node(*arguments)), MOST)
 
 
 class RunningLoop:

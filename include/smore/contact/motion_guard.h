@@ -61,8 +61,12 @@ class MotionGuard {
   void onSafetyStop(const std::string& reason) { safety_stop_ = reason; }
 
   /// A contact observation of the wrench of this stamp. It needs the object's pose at the stamp: it
-  /// is late too where tf stands still, however fresh other stamps are.
-  void onContact(double measured, double stamp) { contact_beat_.beat(measured, stamp); }
+  /// is late too where tf stands still, however fresh other stamps are. Before the first that is
+  /// `sure` whether something touches the listener has not tared: it starts up, unevenly, and its
+  /// observations do not count yet.
+  void onContact(double measured, double stamp, bool sure) {
+    if (sure || contact_beat_.stamp) contact_beat_.beat(measured, stamp);
+  }
 
   /// Who commanded the motion lives and wants it to go on.
   void onSignOfLife(double now) { commander_ = now; }

@@ -71,7 +71,7 @@ class MapKeeper {
  private:
   void work();
   void take(ContactObservation observation);
-  void learn(const ContactObservation& observation);
+  void takeIn(const ContactObservation& observation);
   void writeJournal(const std::function<void()>& write);
 
   MakeMaps make_maps_;
