@@ -36,6 +36,19 @@ cmake -S "$source/test/install/consumer" -B "$scratch/consumer" >"$scratch/consu
 [ "$(cat "$scratch/scenarios")" = "$prefix/share/smore/config/scenarios" ] ||
   fail "the libraries read the scenarios of $(cat "$scratch/scenarios")"
 
+cmake -S "$source/examples" -B "$scratch/examples" >"$scratch/examples.log" &&
+  cmake --build "$scratch/examples" >>"$scratch/examples.log" 2>&1 || fail "$(cat "$scratch/examples.log")"
+"$prefix/lib/smore/smore_experiment" --scenario one_peg --trials 1 --seed 1 --record "$scratch/evidence" \
+  --output "$scratch/trial.json" >"$scratch/trial.log" 2>&1 || fail "$(cat "$scratch/trial.log")"
+says() { # says WORDS EXAMPLE [ARGUMENT ...]
+  "$scratch/examples/${@:2}" >"$scratch/said" 2>&1 || fail "example ${*:2}: $(cat "$scratch/said")"
+  grep -q "$1" "$scratch/said" || fail "example ${*:2} does not say '$1': $(cat "$scratch/said")"
+}
+says "after touch 5: matter at the peg" belief_from_touches
+says "the object is at the goal after [1-9]" own_robot
+says "touches with probability" plan_and_risk
+says "voxels of the world and" replay_run "$scratch/evidence/seed_1.evidence"
+
 port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
 export ROS_MASTER_URI=http://localhost:$port
 "$source/scripts/run_with_limit.py" 300 roslaunch -p "$port" smore retrieval.launch \

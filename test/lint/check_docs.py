@@ -55,7 +55,7 @@ def problems(path, benchmarks):
 
 
 def main():
-    paths = sorted(ROOT.glob("*.md")) + files(("docs",), "*.md")
+    paths = sorted(ROOT.glob("*.md")) + files(("docs", "examples"), "*.md")
     benchmarks = numbers((ROOT / "docs/benchmarks.md").read_text())
     report([finding for path in paths for finding in problems(path, benchmarks)], len(paths))
 

@@ -7,7 +7,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SKIPPED = 77  # exit status, as CTest is told
-CODE_FOLDERS = ("include", "src", "test", "benchmark")
+CODE_FOLDERS = ("include", "src", "test", "benchmark", "examples")
 
 
 def files(folders, *patterns):
