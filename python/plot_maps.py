@@ -4,9 +4,9 @@
 
     plot_maps.py --scenario FILE --maps DIR [--output FILE.png] [--path FILE.json]
 
-DIR holds world.ot and object.ot. A planar scene is shown from above, the most probable of the voxels
-within three of the plane of motion on top; a spatial one from three sides, the most probable voxel along
-each line of sight on top. As in the paper's figures, black to white is the world from free to occupied
+DIR holds world.ot and object.ot. A planar scene is shown from above, in the plane of motion; a spatial
+one from three sides, each cut where most of the true solids is. Of the voxels within three of the cut the
+most probable are on top. As in the paper's figures, black to white is the world from free to occupied
 and green to red the object; what is not stored is unknown and stays blank.
 """
 import argparse
@@ -25,7 +25,7 @@ from matplotlib.lines import Line2D
 
 from octree_file import OctreeFileError, read_octree
 from scene_file import SceneFileError
-from scene_geometry import Scene, View, outline_mask, transform
+from scene_geometry import Scene, View, fullest_depth, outline_mask, transform
 
 UNKNOWN = "#c3cedb"
 WORLD_COLORS = "gray"
@@ -34,11 +34,16 @@ PATH_COLORS = LinearSegmentedColormap.from_list("path", ["#00d5e0", "#8e24aa"])
 WORLD_OUTLINE = "#e0691a"
 OBJECT_OUTLINE = "#1f3fae"
 OBJECT_AT_START = "#6f93ff"
-SLICE_HALF_VOXELS = 3  # voxels on either side of the plane of motion that a top view shows
-MARGIN = 0.12  # around what a panel shows [m]
-TOP = View(np.array([1.0, 0, 0]), np.array([0, 1.0, 0]), ("x", "y"))
-FRONT = View(np.array([1.0, 0, 0]), np.array([0, 0, 1.0]), ("x", "z"))
-SIDE = View(np.array([0, 1.0, 0]), np.array([0, 0, 1.0]), ("y", "z"))
+SLICE_HALF_VOXELS = 3  # voxels on either side of a cut that a view shows
+MARGIN = 0.15  # around what a panel shows, of the longest side of what is shown
+WIDTH = 14.0  # of a figure [inch]
+BESIDE = 1.0  # of it taken by the ticks and labels of each panel, and by a colour bar [inch]
+LOWEST, HIGHEST = 2.2, 6.0  # of a row of panels [inch]
+AROUND = 1.0  # the title and the labels of a row [inch]
+LINE = 0.5  # the title of a figure, and its legend [inch]
+TOP = View(np.array([1.0, 0, 0]), np.array([0, 1.0, 0]), ("x", "y"), "z")
+FRONT = View(np.array([1.0, 0, 0]), np.array([0, 0, 1.0]), ("x", "z"), "-y")
+SIDE = View(np.array([0, 1.0, 0]), np.array([0, 0, 1.0]), ("y", "z"), "x")
 LEAST_SCALE = 0.5  # colours end at the largest probability of a map, but not below this
 
 
@@ -82,10 +87,9 @@ class Panel:
     def voxels(self, octree):
         centers, sizes, probabilities, voxel_size = octree
         seen = self.view.project(centers)
-        if self.depth is not None:
-            reach = (SLICE_HALF_VOXELS + 0.5) * voxel_size + sizes / 2.0
-            near = np.abs(seen[:, 2] - self.depth) < reach
-            seen, sizes, probabilities = seen[near], sizes[near], probabilities[near]
+        reach = (SLICE_HALF_VOXELS + 0.5) * voxel_size + sizes / 2.0
+        near = np.abs(seen[:, 2] - self.depth) < reach
+        seen, sizes, probabilities = seen[near], sizes[near], probabilities[near]
         order = np.argsort(probabilities, kind="stable")
         corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) / 2.0
         squares = seen[order, None, :2] + corners * sizes[order, None, None]
@@ -115,8 +119,7 @@ class Panel:
             )
 
     def frame(self, points):
-        seen = self.view.project(points)[:, :2]
-        low, high = seen.min(axis=0) - MARGIN, seen.max(axis=0) + MARGIN
+        low, high = limits(points, self.view)
         self.axes.set_xlim(low[0], high[0])
         self.axes.set_ylim(low[1], high[1])
 
@@ -138,10 +141,23 @@ def plane_view(scene):
     return view, view.project(position)[2]
 
 
+def limits(points, view):
+    """Lower left and upper right of a panel that shows the points [m]."""
+    seen = view.project(points)[:, :2]
+    margin = MARGIN * np.ptp(points, axis=0).max()  # a rod has room in each view
+    return seen.min(axis=0) - margin, seen.max(axis=0) + margin
+
+
 def title_of(kind, octree):
     probabilities = octree[2]
     count, highest = np.count_nonzero(probabilities >= 0.5), probabilities.max(initial=0.0)
-    return f"{kind} map: {count} voxels at P ≥ 0.5, highest P {highest:.2f}"
+    return f"{kind} map\n{count} voxels at P ≥ 0.5, highest P {highest:.2f}"
+
+
+def cut_of(view, depth):
+    """Where a view is cut, in words."""
+    along = -depth if view.depth[0] == "-" else depth
+    return f"cut at {view.depth.lstrip('-')} = {round(along, 2) + 0.0:.2f} m"  # never -0.00
 
 
 def world_points(scene, path):
@@ -149,13 +165,6 @@ def world_points(scene, path):
     solids = scene.environment + placed(scene.object, scene.start)
     ends = np.stack([scene.start[:3, 3], scene.goal[:3, 3]])
     return np.concatenate([corners_of(solids), ends, path])
-
-
-def widths(points, view):
-    """Width over height of a panel that shows the points."""
-    seen = view.project(points)[:, :2]
-    size = np.ptp(seen, axis=0) + 2.0 * MARGIN
-    return size[0] / size[1]
 
 
 def world_panel(axes, scene, octree, path, view, depth):
@@ -177,46 +186,56 @@ def object_panel(axes, scene, octree, view, depth):
     return drawn
 
 
-def color_bar(figure, drawn, axes, label):
-    bar = figure.colorbar(drawn, ax=list(axes), shrink=0.8, pad=0.02)
+def looks_at(scene, solids, alone):
+    """Views of a map and their depths: of the object alone, or of the scene."""
+    if scene.planar:
+        return [(TOP, 0.0)] if alone else [plane_view(scene)]
+    return [(view, fullest_depth(solids, view)) for view in (TOP, FRONT, SIDE)]
+
+
+def shape_of(points, looks):
+    """Width over height of each panel, and the height of a row of them [inch]."""
+    sizes = [np.subtract(*reversed(limits(points, view))) for view, _ in looks]
+    ratios = [size[0] / size[1] for size in sizes]
+    height = (WIDTH - BESIDE * (len(looks) + 1)) / sum(ratios)
+    return ratios, float(np.clip(height, LOWEST, HIGHEST))
+
+
+def fill(part, ratios, looks, draw_panel, title, label):
+    """A row of panels with a title and a colour bar."""
+    axes = part.subplots(1, len(looks), squeeze=False, gridspec_kw={"width_ratios": ratios})[0]
+    for panel_axes, look in zip(axes, looks):
+        drawn = draw_panel(panel_axes, *look)
+        if len(looks) > 1:
+            panel_axes.set_title(cut_of(*look), fontsize=10)
+    if len(looks) > 1:
+        part.suptitle(title.replace("\n", ": "), fontsize=12)
+    else:
+        axes[0].set_title(title, fontsize=11)
+    bar = part.colorbar(drawn, ax=list(axes), shrink=0.9, pad=0.02)
     bar.set_label(label)
 
 
-def planar_axes(scene, path, view):
-    """Both maps side by side, equally high."""
-    ratios = [widths(world_points(scene, path), view), widths(corners_of(scene.object), TOP)]
-    return plt.subplots(
-        1, 2, figsize=(12.5, 5.6), squeeze=False, layout="constrained",
-        gridspec_kw={"width_ratios": ratios},
-    )
-
-
-def spatial_axes(scene, path, looks):
-    """A row of three views for each map."""
-    ratios = [widths(world_points(scene, path), view) for view, _ in looks]
-    return plt.subplots(
-        2, 3, figsize=(15.0, 9.0), layout="constrained", gridspec_kw={"width_ratios": ratios}
-    )
-
-
 def draw(scene, world, found, path):
-    """The figure: the world's panels first, then the object's."""
+    """The figure: the world's panels, and the object's beside or below them."""
+    solids = scene.environment or placed(scene.object, scene.start)
+    world_looks, object_looks = looks_at(scene, solids, False), looks_at(scene, scene.object, True)
+    world_ratios, world_height = shape_of(world_points(scene, path), world_looks)
+    object_ratios, object_height = shape_of(corners_of(scene.object), object_looks)
     if scene.planar:
-        view, depth = plane_view(scene)
-        looks, object_looks = [(view, depth)], [(TOP, 0.0)]
-        figure, axes = planar_axes(scene, path, view)
+        ratios = world_ratios + object_ratios
+        height = float(np.clip((WIDTH - 4.0 * BESIDE) / sum(ratios), LOWEST, HIGHEST))
+        layout = {"nrows": 1, "ncols": 2, "width_ratios": [height * ratio + 2.0 * BESIDE for ratio in ratios]}
+        rows = [height]
     else:
-        looks = object_looks = [(TOP, None), (FRONT, None), (SIDE, None)]
-        figure, axes = spatial_axes(scene, path, looks)
-    world_axes, object_axes = axes.reshape(2, -1)
-    for panel_axes, look in zip(world_axes, looks):
-        world_drawn = world_panel(panel_axes, scene, world, path, *look)
-    for panel_axes, look in zip(object_axes, object_looks):
-        object_drawn = object_panel(panel_axes, scene, found, *look)
-    world_axes[0].set_title(title_of("world", world), fontsize=11)
-    object_axes[0].set_title(title_of("object", found), fontsize=11)
-    color_bar(figure, world_drawn, world_axes, "P(occupied), world")
-    color_bar(figure, object_drawn, object_axes, "P(occupied), object")
+        rows = [world_height, object_height]
+        layout = {"nrows": 2, "ncols": 1, "height_ratios": [row + AROUND for row in rows]}
+    figure = plt.figure(figsize=(WIDTH, sum(rows) + AROUND * len(rows) + 2.0 * LINE), layout="constrained")
+    world_part, object_part = figure.subfigures(**layout)
+    fill(world_part, world_ratios, world_looks,
+         lambda axes, *look: world_panel(axes, scene, world, path, *look), title_of("world", world), "P(occupied), world")
+    fill(object_part, object_ratios, object_looks,
+         lambda axes, *look: object_panel(axes, scene, found, *look), title_of("object", found), "P(occupied), object")
     legend(figure, len(path) > 1)
     return figure
 
@@ -234,7 +253,7 @@ def legend(figure, has_path):
         entries.insert(3, Line2D([], [], color=PATH_COLORS(0.5), lw=2.2, label="last path"))
     figure.legend(handles=entries, loc="lower center", ncols=len(entries), frameon=False)
     # The lines of the legend and of the title, which the layout would give to the panels.
-    line = 0.06 * 5.6 / figure.get_size_inches()[1]
+    line = LINE / figure.get_size_inches()[1]
     figure.get_layout_engine().set(rect=(0.0, line, 1.0, 1.0 - 2.0 * line))
 
 

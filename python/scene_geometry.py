@@ -4,7 +4,9 @@ import numpy as np
 
 from scene_file import SceneFileError, read_scene
 
-MASK_CELL = 0.002  # of the grids that outlines are drawn from [m]
+MASK_CELLS = 400  # along the longer side of the grids that outlines are drawn from
+DEPTHS = 8  # evenly through a body, at which its cuts are compared
+COARSE_CELLS = 60  # of the grids of these cuts
 
 
 def rotation_of(rpy):
@@ -53,9 +55,11 @@ class Scene:
 
 
 class View:
-    """An orthogonal look at a scene: coordinates to the right, upwards and along the line of sight."""
+    """An orthogonal look at a scene: coordinates to the right, upwards and along the line of sight. `depth` names
+    the last: an axis, with a minus where it comes towards the viewer."""
 
-    def __init__(self, right, up, labels=("x", "y")):
+    def __init__(self, right, up, labels=("x", "y"), depth=""):
+        self.depth = depth
         self.axes = np.stack([right, up, np.cross(right, up)])
         self.labels = labels
 
@@ -108,15 +112,29 @@ def _inside_silhouette(points, triangles):
     return inside
 
 
-def outline_mask(solids, view, depth=None):
+def _seen(solids, view):
+    return [view.project(triangles.reshape(-1, 3)).reshape(-1, 3, 3) for triangles in solids]
+
+
+def fullest_depth(solids, view):
+    """Depth along the line of sight at which most of the solids is cut [m]."""
+    ranges = [(seen[:, :, 2].min(), seen[:, :, 2].max()) for seen in _seen(solids, view)]
+    low, high = min(r[0] for r in ranges), max(r[1] for r in ranges)
+    depths = [0.5 * (r[0] + r[1]) for r in ranges]
+    depths += [low + (high - low) * (i + 0.5) / DEPTHS for i in range(DEPTHS)]
+    return max(depths, key=lambda depth: outline_mask(solids, view, depth, COARSE_CELLS)[2].sum())
+
+
+def outline_mask(solids, view, depth=None, cells=MASK_CELLS):
     """Grid coordinates (right, up) and a mask of the union of the solids: their cut at `depth` along the
-    line of sight, or their silhouette where it is None. None for no solids."""
+    line of sight, or their silhouette where it is None. `cells` along the longer side. None for no solids."""
     if not solids:
         return None
-    seen = [view.project(triangles.reshape(-1, 3)).reshape(-1, 3, 3) for triangles in solids]
+    seen = _seen(solids, view)
     corners = np.concatenate(seen).reshape(-1, 3)[:, :2]
-    low, high = corners.min(axis=0) - 3 * MASK_CELL, corners.max(axis=0) + 3 * MASK_CELL
-    right, up = (np.arange(low[i], high[i], MASK_CELL) for i in range(2))
+    cell = np.ptp(corners, axis=0).max() / cells
+    low, high = corners.min(axis=0) - 3 * cell, corners.max(axis=0) + 3 * cell
+    right, up = (np.arange(low[i], high[i], cell) for i in range(2))
     points = np.stack(np.meshgrid(right, up), -1).reshape(-1, 2)
     mask = np.zeros(len(points), dtype=bool)
     for triangles in seen:

@@ -15,7 +15,7 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 from scene_file import SceneFileError, find_program  # noqa: E402
-from scene_geometry import MASK_CELL, Scene, View, outline_mask  # noqa: E402
+from scene_geometry import Scene, View, fullest_depth, outline_mask  # noqa: E402
 
 TOP = View(np.array([1.0, 0, 0]), np.array([0, 1.0, 0]))
 SIDE = View(np.array([0, 1.0, 0]), np.array([0, 0, 1.0]))
@@ -47,7 +47,8 @@ def solids_of(*shapes):
 
 
 def area(solids, view, depth):
-    return outline_mask(solids, view, depth)[2].sum() * MASK_CELL**2
+    right, up, mask = outline_mask(solids, view, depth)
+    return mask.sum() * (right[1] - right[0]) * (up[1] - up[0])
 
 
 class SceneGeometryTest(unittest.TestCase):
@@ -71,6 +72,16 @@ class SceneGeometryTest(unittest.TestCase):
     def test_union_counts_an_overlap_once(self):
         boxes = [f"{{type: box, size: [0.2, 0.2, 0.2], position: [{x}, 0, 0]}}" for x in (0.0, 0.1)]
         self.assertAlmostEqual(area(solids_of(*boxes), TOP, 0.0), 0.06, delta=0.001)
+
+    def test_at_any_size_a_cut_has_its_area(self):
+        for size in (0.01, 1.0, 8.0):
+            solids = solids_of(f"{{type: box, size: [{size}, {0.5 * size}, {size}], position: [0, 0, 0]}}")
+            self.assertAlmostEqual(area(solids, TOP, 0.0) / (0.5 * size**2), 1.0, delta=0.02)
+
+    def test_a_thin_wall_is_cut_where_it_stands(self):
+        wall = "{type: box, size: [0.004, 1, 1], position: [-0.31, 0, 0]}"
+        rod = "{type: cylinder, radius: 0.02, length: 0.5, position: [0.4, 0, 0]}"
+        self.assertAlmostEqual(fullest_depth(solids_of(rod, wall), SIDE), -0.31, delta=0.002)
 
     def test_poses_and_the_kind_of_motion(self):
         scene = scene_of("{type: sphere, radius: 0.1, position: [0, 0, 0]}")
