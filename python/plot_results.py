@@ -5,8 +5,8 @@
     plot_results.py --output FILE.png RESULT.json [RESULT.json ...]
 
 Each trial is a dot, a box holds the middle half of a method's trials and a line marks their median; a
-cross is a trial that did not reach the goal. Files of one method are put together. Dashed lines are the
-paper's counts on its own scene.
+cross is a trial that did not reach the goal: it is in no mean. Files of one method are put together. On
+the paper's own scene dashed lines are its counts.
 """
 import argparse
 import json
@@ -20,6 +20,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 # Section IV of the paper: object with two pegs, mean of ten trials.
+PAPER_SCENE = "s_shape_two_pegs"
 PAPER = (("SMORE", 96, "#3b6fb6"), ("C-space planner", 548, "#7a7a7a"), ("Soft Actor-Critic", 3136, "#b0763a"))
 COLORS = {"smore": "#1a9641", "paper": "#3b6fb6", "cspace": "#7a7a7a"}
 ORDER = ("smore", "paper", "cspace")
@@ -50,8 +51,8 @@ def read(files):
 
 
 def draw_method(axes, place, trials, color):
-    # A trial without a collision stands on the axis' lower end.
-    counts = np.maximum([trial["collisions"] for trial in trials], 0.8)
+    collisions = np.array([trial["collisions"] for trial in trials])
+    counts = np.maximum(collisions, 0.8)  # a trial without a collision stands on the axis' lower end
     reached = np.array([trial["success"] for trial in trials])
     axes.boxplot(
         counts, positions=[place], widths=0.5, showfliers=False, patch_artist=True,
@@ -62,16 +63,15 @@ def draw_method(axes, place, trials, color):
     places = place + SPREAD * np.linspace(-1.0, 1.0, len(counts)) if len(counts) > 1 else np.array([place])
     axes.scatter(places[reached], counts[reached], s=16, color=color, zorder=3)
     axes.scatter(places[~reached], counts[~reached], s=30, marker="x", color="#c62828", zorder=3)
-    mean = np.mean([trial["collisions"] for trial in trials])
     axes.annotate(
-        f"mean {mean:.3g}", (place, counts.max()), xytext=(0, 8), textcoords="offset points",
+        f"mean {collisions[reached].mean():.3g}" if reached.any() else "none reached it", (place, counts.max()), xytext=(0, 8), textcoords="offset points",
         ha="center", fontsize=9, color=color,
     )
 
 
-def draw(trials, title):
+def draw(trials, title, scenarios):
     figure, axes = plt.subplots(figsize=(2.6 + 1.7 * max(len(trials), 2), 4.8), layout="constrained")
-    for name, count, color in PAPER:
+    for name, count, color in PAPER if scenarios == [PAPER_SCENE] else ():
         axes.axhline(count, color=color, linestyle="--", linewidth=1.0, alpha=0.8)
         axes.annotate(
             f"{name} (publication): {count}", (1.0, count), xycoords=("axes fraction", "data"),
@@ -81,7 +81,8 @@ def draw(trials, title):
     for place, (method, of_method) in enumerate(trials.items()):
         draw_method(axes, place, of_method, COLORS.get(method, "#8e24aa"))
         reached = sum(trial["success"] for trial in of_method)
-        labels.append(f"{method}\n{reached} of {len(of_method)} at the goal")
+        crosses = "" if reached == len(of_method) else "\n(crosses: given up)"
+        labels.append(f"{method}\n{reached} of {len(of_method)} at the goal{crosses}")
     axes.set_yscale("log")
     axes.set_ylim(0.7, 8000)
     axes.set_xlim(-0.6, len(trials) + 0.4)
@@ -100,7 +101,7 @@ def main():
         sys.exit(f"plot_results: {problem}")
     if not any(trials.values()):
         sys.exit("plot_results: no trial in these files")
-    draw(trials, options.title or ", ".join(scenarios)).savefig(options.output, dpi=160)
+    draw(trials, options.title or ", ".join(scenarios), scenarios).savefig(options.output, dpi=160)
     print(options.output)
 
 

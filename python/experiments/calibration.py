@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whether as many motions touch as their plans said, in the plane and in space."""
+import numpy as np
+import plot_reliability
+
+from experiments.trials import Trial
+
+WHAT = "reliability of the risk that plans state, in the plane and in space"
+FIRST_SEED = 1001
+SCENES = {
+    "plane": ("s_shape_perturbed", "hook_on_peg", "c_on_peg", "t_in_slot", "comb", "spiral"),
+    "space": ("slit", "window", "hook_on_rail"),
+}
+COUNT, QUICK_COUNT = 10, 1
+MOST_COLLISIONS = 60
+
+
+def trials(_directory, quick):
+    seeds = range(FIRST_SEED, FIRST_SEED + (QUICK_COUNT if quick else COUNT))
+    options = ("--max-collisions", str(MOST_COLLISIONS))
+    return [
+        Trial(f"{where}/{scene}_{seed}", scene, seed, options=options)
+        for where, scenes in SCENES.items() for scene in scenes for seed in seeds
+    ]
+
+
+def log_loss(risk, touched):
+    likely = np.where(touched > 0.5, risk, 1.0 - risk)
+    return -np.mean(np.log(np.clip(likely, 1e-3, 1.0)))
+
+
+def report(records, _directory):
+    """The table as text, and a figure for the plane and for space."""
+    lines = ["| | motions | touched | log-loss | of a constant | calibration error |", "|---|---|---|---|---|---|"]
+    figures = {}
+    for where in SCENES:
+        results = [record["result"] for name, record in records.items() if name.startswith(where + "/")]
+        motions = [motion for result in results for motion in result["motions"]]
+        risk = np.array([motion["risk"] for motion in motions])
+        touched = np.array([motion["touched"] for motion in motions], dtype=float)
+        # The base rate of the other motions, so that none tells its own outcome.
+        constant = (touched.sum() - touched + 0.5) / len(touched)
+        figures["calibration_" + where], error = plot_reliability.draw(risk, touched)
+        lines.append(
+            f"| {where} | {len(motions)} | {touched.mean():.2f} | {log_loss(risk, touched):.3f} | "
+            f"{log_loss(constant, touched):.3f} | {error:.3f} |"
+        )
+    return "\n".join(lines) + "\n", figures

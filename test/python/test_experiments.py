@@ -1,0 +1,96 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Experiments lose no finished trial, repeat none, and draw what they have found.
+
+    test_experiments.py
+"""
+import json
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import matplotlib.figure
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "python"))
+from experiments import calibration, figure7, generality, trials  # noqa: E402
+from experiments.trials import Store, Trial, TrialError, run  # noqa: E402
+
+# Stands for smore_experiment: notes each call, and fails for seed 13.
+PROGRAM = """#!/usr/bin/python3
+import json, sys
+arguments = dict(zip(sys.argv[1::2], sys.argv[2::2]))
+open(sys.argv[0] + ".calls", "a").write(arguments["--seed"] + "\\n")
+if arguments["--seed"] == "13":
+    sys.exit("no thirteenth trial")
+seed = int(arguments["--seed"])
+motions = [{"risk": 0.9, "touched": True}] * (seed % 5) + [{"risk": 0.4, "touched": False}]
+trial = {"seed": seed, "success": seed % 7 != 0, "collisions": seed % 5, "motions": motions}
+open(arguments["--output"], "w").write(json.dumps({"trials": [trial]}))
+"""
+
+
+class ExperimentsTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        program = self.folder / "program"
+        program.write_text(PROGRAM)
+        program.chmod(0o755)
+        self.calls = self.folder / "program.calls"
+        self.addCleanup(setattr, trials, "PROGRAM", trials.PROGRAM)
+        trials.PROGRAM = program
+
+    def seeds_called(self):
+        return sorted(int(seed) for seed in self.calls.read_text().split())
+
+    def test_a_finished_trial_is_not_run_again(self):
+        first = [Trial(f"t{seed}", "scene", seed) for seed in (1, 2)]
+        self.assertEqual(set(run(first, self.folder, 2)), {"t1", "t2"})
+        records = run([*first, Trial("t3", "scene", 3)], self.folder, 2)
+        self.assertEqual(records["t3"]["result"]["collisions"], 3)
+        self.assertEqual(self.seeds_called(), [1, 2, 3])
+
+    def test_a_trial_of_other_settings_is_another(self):
+        run([Trial("t", "scene", 1)], self.folder, 1)
+        run([Trial("t", "scene", 1, options=("--max-collisions", "7"))], self.folder, 1)
+        self.assertEqual(self.seeds_called(), [1, 1])
+
+    def test_a_line_that_was_cut_is_run_again_and_the_others_stay(self):
+        run([Trial(f"t{seed}", "scene", seed) for seed in (1, 2)], self.folder, 1)
+        file = self.folder / "trials.jsonl"
+        whole = file.read_text()
+        for length in range(len(whole.splitlines(True)[0]) + 1, len(whole)):
+            file.write_text(whole[:length])
+            self.assertEqual(list(Store(self.folder).finished), ["t1"])
+        run([Trial(f"t{seed}", "scene", seed) for seed in (1, 2)], self.folder, 1)
+        self.assertEqual(self.seeds_called(), [1, 2, 2])
+        self.assertEqual([json.loads(line)["trial"]["seed"] for line in file.open()], [1, 2])
+
+    def test_a_trial_that_fails_costs_no_other_and_is_named(self):
+        some = [Trial(f"t{seed}", "scene", seed) for seed in (12, 13, 14)]
+        with self.assertRaisesRegex(TrialError, "t13.*no thirteenth trial"):
+            run(some, self.folder, 1)
+        self.assertEqual(set(Store(self.folder).finished), {"t12", "t14"})
+
+    def test_each_experiment_draws_its_figures(self):
+        scene = self.folder / "scenes/planar_1001.yaml"
+        scene.parent.mkdir()
+        for experiment in (figure7, calibration, generality):
+            if experiment is generality:
+                scene.write_text("# Object of a star, obstacles of pegs, 1 times the common size.\n")
+                (scene.parent / "drafts.json").write_text('{"planar_1001": {"no way out was found": 2}}')
+                asked = [Trial("planar_1001", str(scene), 1001)]
+            else:
+                asked = experiment.trials(self.folder, True)
+            text, figures = experiment.report(run(asked, self.folder / experiment.__name__, 2), self.folder)
+            self.assertTrue(text.startswith("| "), text)
+            self.assertTrue(figures)
+            for figure in figures.values():
+                self.assertIsInstance(figure, matplotlib.figure.Figure)
+
+
+if __name__ == "__main__":
+    unittest.main()
