@@ -101,10 +101,14 @@ class Planar:
             for i in range(count + 1 if (x0, y0) != (x1, y1) else 1):
                 yield x0 + (x1 - x0) * i / count, y0 + (y1 - y0) * i / count, radius
 
-    def clearance(self, x, y, angle):
-        """Least distance between object and environment at poses (arrays of one shape) [m]."""
+    def reach(self):
+        """From the object's origin to its farthest point [m]."""
+        return max(math.hypot(x, y) + math.hypot(length, width) / 2 for x, y, _, length, width in self.bars)
+
+    def clearance(self, x, y, angle, discs=None):
+        """Least distance between object and environment (or some discs of it) at poses (arrays of one shape) [m]."""
         least = numpy.full(numpy.broadcast(x, y, angle).shape, numpy.inf)
-        for disc_x, disc_y, radius in self.discs():
+        for disc_x, disc_y, radius in self.discs() if discs is None else discs:
             u = numpy.cos(angle) * (disc_x - x) + numpy.sin(angle) * (disc_y - y)
             v = numpy.cos(angle) * (disc_y - y) - numpy.sin(angle) * (disc_x - x)
             for bar_x, bar_y, turn, length, width in self.bars:
@@ -128,7 +132,12 @@ class Planar:
         x = numpy.arange(round(low[0] / step), round(high[0] / step) + 1) * step
         y = numpy.arange(round(low[1] / step), round(high[1] / step) + 1) * step
         angle = numpy.arange(turns) * (2 * math.pi / turns)
-        free = self.clearance(x[:, None, None], y[None, :, None], angle[None, None, :]) > margin
+        free = numpy.ones((len(x), len(y), turns), dtype=bool)
+        for disc in self.discs():
+            far = self.reach() + disc[2] + margin
+            near = [slice(*numpy.searchsorted(axis, (at - far, at + far))) for axis, at in zip((x, y), disc)]
+            poses = x[near[0], None, None], y[None, near[1], None], angle[None, None, :]
+            free[near[0], near[1]] &= self.clearance(*poses, [disc]) > margin
         cell = [(numpy.argmin(abs(x - px)), numpy.argmin(abs(y - py)), 0) for px, py in ((0, 0), GOAL)]
         steps = flood(free, *cell)
         return None if steps is None else steps * step

@@ -85,8 +85,8 @@ class HullDepth {
     const TriangleCorners corners = cornersOf(mesh_, triangle);
     const Vec3 centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
     if (isShallowAlong(areaVector(corners), centroid)) return true;
-    for (const int vertex : triangle) {
-      for (const int other : around_[static_cast<std::size_t>(vertex)]) {
+    for (int corner = 0; corner < 3; ++corner) {
+      for (const int other : around_[static_cast<std::size_t>(triangle[corner])]) {
         const auto& neighbour = mesh_.triangles[static_cast<std::size_t>(other)];
         if (isShallowAlong(areaVector(cornersOf(mesh_, neighbour)), centroid)) return true;
       }
@@ -98,7 +98,8 @@ class HullDepth {
   static std::vector<std::vector<int>> neighbours(const MeshShape& mesh) {
     std::vector<std::vector<int>> around(mesh.vertices.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      for (const int vertex : mesh.triangles[i]) {
+      for (int corner = 0; corner < 3; ++corner) {
+        const int vertex = mesh.triangles[i][corner];
         around[static_cast<std::size_t>(vertex)].push_back(static_cast<int>(i));
       }
     }

@@ -6,6 +6,7 @@
 
 #include "smore/common/json_fields.h"
 #include "smore/scenario/tessellation.h"
+#include "triangle_tree.h"
 
 namespace smore {
 namespace {
@@ -44,9 +45,7 @@ Json trianglesJson(const MeshShape& surface) {
   Json list = Json::array();
   for (const Eigen::Vector3i& triangle : surface.triangles) {
     Json corners = Json::array();
-    for (const int index : triangle) {
-      corners.push_back(toJson(surface.vertices[static_cast<std::size_t>(index)]));
-    }
+    for (const Vec3& corner : cornersOf(surface, triangle)) corners.push_back(toJson(corner));
     list.push_back(std::move(corners));
   }
   return list;

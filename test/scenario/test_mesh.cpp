@@ -20,14 +20,18 @@ double distanceTo(const MeshShape& mesh, const Vec3& point) {
   return signedDistance({{mesh, Pose::Identity()}}, point);
 }
 
+const Vec3& vertexAt(const MeshShape& mesh, int index) {
+  return mesh.vertices[static_cast<size_t>(index)];
+}
+
 std::string asciiStl(const MeshShape& mesh, int digits = 17) {
   std::ostringstream text;
   text.precision(digits);
   text << "solid test\n";
   for (const Eigen::Vector3i& triangle : mesh.triangles) {
     text << "facet normal 0 0 0\n outer loop\n";
-    for (const int index : triangle) {
-      text << "  vertex " << mesh.vertices[static_cast<size_t>(index)].transpose() << "\n";
+    for (int corner = 0; corner < 3; ++corner) {
+      text << "  vertex " << vertexAt(mesh, triangle[corner]).transpose() << "\n";
     }
     text << " endloop\nendfacet\n";
   }
@@ -45,10 +49,9 @@ std::string binaryStl(const MeshShape& mesh) {
   append(&bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const Eigen::Vector3i& triangle : mesh.triangles) {
     for (int i = 0; i < 3; ++i) append(&bytes, 0.0F);
-    for (const int index : triangle) {
-      for (const double x : mesh.vertices[static_cast<size_t>(index)]) {
-        append(&bytes, static_cast<float>(x));
-      }
+    for (int corner = 0; corner < 3; ++corner) {
+      const Vec3 vertex = vertexAt(mesh, triangle[corner]);
+      for (int axis = 0; axis < 3; ++axis) append(&bytes, static_cast<float>(vertex[axis]));
     }
     append(&bytes, static_cast<std::uint16_t>(0));
   }
