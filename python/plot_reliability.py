@@ -7,6 +7,7 @@
 Motions of all files are put together and sorted into ten bins of risk. A dot stands at a bin's mean risk
 and its share of motions that touched, with a 95 % interval (Wilson's); bars count the motions. The
 expected calibration error is the mean distance of the dots from the diagonal, weighted by the motions.
+It prints this, the log-loss, and what the base rate of the motions would have.
 """
 import argparse
 import json
@@ -20,6 +21,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 BINS = 10
+LEAST = 1e-3  # of what was forecast for the outcome
 QUANTILE = 1.96  # of the normal distribution, for 95 %
 BLUE = "#3b6fb6"
 
@@ -55,6 +57,13 @@ def wilson(share, count):
     return center - half, center + half
 
 
+def log_losses(risk, touched):
+    """Of the stated risks, and of the base rate of the other motions, so that none tells its own outcome."""
+    constant = (touched.sum() - touched + 0.5) / len(touched)
+    likely = [np.where(touched > 0.5, forecast, 1.0 - forecast) for forecast in (risk, constant)]
+    return [-np.mean(np.log(np.clip(of_one, LEAST, 1.0))) for of_one in likely]
+
+
 def draw(risk, touched):
     stated, found, count = binned(risk, touched)
     error = np.sum(np.abs(stated - found) * count) / len(risk)
@@ -82,6 +91,7 @@ def main():
     figure.savefig(options.output, dpi=120)
     print(f"{len(risk)} motions, {touched.mean():.3f} touched, mean risk {risk.mean():.3f}, "
           f"expected calibration error {error:.3f}")
+    print("log-loss {:.3f}, of the base rate {:.3f}".format(*log_losses(risk, touched)))
     for stated, found, count in binned(risk, touched).T:
         print(f"  risk {stated:.2f}: touched {found:.2f} of {count:.0f}")
     return 0

@@ -24,11 +24,6 @@ def trials(_directory, quick):
     ]
 
 
-def log_loss(risk, touched):
-    likely = np.where(touched > 0.5, risk, 1.0 - risk)
-    return -np.mean(np.log(np.clip(likely, 1e-3, 1.0)))
-
-
 def report(records, _directory):
     """The table as text, and a figure for the plane and for space."""
     lines = ["| | motions | touched | log-loss | of a constant | calibration error |", "|---|---|---|---|---|---|"]
@@ -38,11 +33,7 @@ def report(records, _directory):
         motions = [motion for result in results for motion in result["motions"]]
         risk = np.array([motion["risk"] for motion in motions])
         touched = np.array([motion["touched"] for motion in motions], dtype=float)
-        # The base rate of the other motions, so that none tells its own outcome.
-        constant = (touched.sum() - touched + 0.5) / len(touched)
         figures["calibration_" + where], error = plot_reliability.draw(risk, touched)
-        lines.append(
-            f"| {where} | {len(motions)} | {touched.mean():.2f} | {log_loss(risk, touched):.3f} | "
-            f"{log_loss(constant, touched):.3f} | {error:.3f} |"
-        )
+        loss, base = plot_reliability.log_losses(risk, touched)
+        lines.append(f"| {where} | {len(motions)} | {touched.mean():.2f} | {loss:.3f} | {base:.3f} | {error:.3f} |")
     return "\n".join(lines) + "\n", figures
