@@ -14,7 +14,7 @@ import matplotlib.figure
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
-from experiments import calibration, figure7, generality, trials  # noqa: E402
+from experiments import calibration, figure7, generality, sensitivity, trials  # noqa: E402
 from experiments.trials import Store, Trial, TrialError, run  # noqa: E402
 
 # Stands for smore_experiment: notes each call, and fails for seed 13.
@@ -27,6 +27,7 @@ if arguments["--seed"] == "13":
 seed = int(arguments["--seed"])
 motions = [{"risk": 0.9, "touched": True}] * (seed % 5) + [{"risk": 0.4, "touched": False}]
 trial = {"seed": seed, "success": seed % 7 != 0, "collisions": seed % 5, "motions": motions}
+trial.update({side: {"precision": None if seed == 1001 else 0.5} for side in ("object_map", "world_map")})
 open(arguments["--output"], "w").write(json.dumps({"trials": [trial]}))
 """
 
@@ -78,7 +79,7 @@ class ExperimentsTest(unittest.TestCase):
     def test_each_experiment_draws_its_figures(self):
         scene = self.folder / "scenes/planar_1001.yaml"
         scene.parent.mkdir()
-        for experiment in (figure7, calibration, generality):
+        for experiment in (figure7, calibration, sensitivity, generality):
             if experiment is generality:
                 scene.write_text("# Object of a star, obstacles of pegs, 1 times the common size.\n")
                 (scene.parent / "drafts.json").write_text('{"planar_1001": {"no way out was found": 2}}')
