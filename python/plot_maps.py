@@ -21,6 +21,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.gridspec import GridSpec, GridSpecFromSubplotSpec
 from matplotlib.lines import Line2D
 
 from octree_file import OctreeFileError, read_octree
@@ -40,7 +41,7 @@ WIDTH = 14.0  # of a figure [inch]
 BESIDE = 1.0  # of it taken by the ticks and labels of each panel, and by a colour bar [inch]
 LOWEST, HIGHEST = 2.2, 6.0  # of a row of panels [inch]
 AROUND = 1.0  # the title and the labels of a row [inch]
-LINE = 0.5  # the title of a figure, and its legend [inch]
+LINE = 0.4  # the title of a figure, and its legend [inch]
 TOP = View(np.array([1.0, 0, 0]), np.array([0, 1.0, 0]), ("x", "y"), "z")
 FRONT = View(np.array([1.0, 0, 0]), np.array([0, 0, 1.0]), ("x", "z"), "-y")
 SIDE = View(np.array([0, 1.0, 0]), np.array([0, 0, 1.0]), ("y", "z"), "x")
@@ -81,6 +82,7 @@ class Panel:
         self.depth = depth
         axes.set_facecolor(UNKNOWN)
         axes.set_aspect("equal")
+        axes.locator_params(nbins=6)
         axes.set_xlabel(f"{view.labels[0]} [m]")
         axes.set_ylabel(f"{view.labels[1]} [m]")
 
@@ -201,46 +203,51 @@ def shape_of(points, looks):
     return ratios, float(np.clip(height, LOWEST, HIGHEST))
 
 
-def fill(part, ratios, looks, draw_panel, title, label):
+def fill(figure, part, ratios, looks, draw_panel, title, label):
     """A row of panels with a title and a colour bar."""
-    axes = part.subplots(1, len(looks), squeeze=False, gridspec_kw={"width_ratios": ratios})[0]
-    for panel_axes, look in zip(axes, looks):
-        drawn = draw_panel(panel_axes, *look)
+    grid = GridSpecFromSubplotSpec(1, len(looks), part, width_ratios=ratios)
+    row = [figure.add_subplot(grid[0, i]) for i in range(len(looks))]
+    for axes, look in zip(row, looks):
+        drawn = draw_panel(axes, *look)
         if len(looks) > 1:
-            panel_axes.set_title(cut_of(*look), fontsize=10)
+            axes.set_title(cut_of(*look), fontsize=10, loc="left")
     if len(looks) > 1:
-        part.suptitle(title.replace("\n", ": "), fontsize=12)
+        title = title.replace("\n", ": ") + "\n" + cut_of(*looks[0])
+    row[0].set_title(title, fontsize=10, loc="left")
+    figure.colorbar(drawn, ax=row, shrink=0.9, pad=0.02).set_label(label)
+
+
+def layout_of(scene, world_shape, object_shape):
+    """The figure, the parts of it for both maps, side by side or one below the other, and that of the legend."""
+    if scene.planar:
+        ratios = world_shape[0] + object_shape[0]
+        rows = [float(np.clip((WIDTH - 4.0 * BESIDE) / sum(ratios), LOWEST, HIGHEST)) + AROUND]
+        columns = [rows[0] * ratio + 2.0 * BESIDE for ratio in ratios]
     else:
-        axes[0].set_title(title, fontsize=11)
-    bar = part.colorbar(drawn, ax=list(axes), shrink=0.9, pad=0.02)
-    bar.set_label(label)
+        rows, columns = [world_shape[1] + AROUND, object_shape[1] + AROUND], [1.0]
+    figure = plt.figure(figsize=(WIDTH, sum(rows) + 2.0 * LINE), constrained_layout=True)
+    grid = GridSpec(len(rows) + 1, len(columns), figure, height_ratios=[*rows, LINE], width_ratios=columns)
+    return figure, grid[0, 0], grid[len(rows) - 1, len(columns) - 1], grid[len(rows), :]
 
 
 def draw(scene, world, found, path):
     """The figure: the world's panels, and the object's beside or below them."""
     solids = scene.environment or placed(scene.object, scene.start)
     world_looks, object_looks = looks_at(scene, solids, False), looks_at(scene, scene.object, True)
-    world_ratios, world_height = shape_of(world_points(scene, path), world_looks)
-    object_ratios, object_height = shape_of(corners_of(scene.object), object_looks)
-    if scene.planar:
-        ratios = world_ratios + object_ratios
-        height = float(np.clip((WIDTH - 4.0 * BESIDE) / sum(ratios), LOWEST, HIGHEST))
-        layout = {"nrows": 1, "ncols": 2, "width_ratios": [height * ratio + 2.0 * BESIDE for ratio in ratios]}
-        rows = [height]
-    else:
-        rows = [world_height, object_height]
-        layout = {"nrows": 2, "ncols": 1, "height_ratios": [row + AROUND for row in rows]}
-    figure = plt.figure(figsize=(WIDTH, sum(rows) + AROUND * len(rows) + 2.0 * LINE), layout="constrained")
-    world_part, object_part = figure.subfigures(**layout)
-    fill(world_part, world_ratios, world_looks,
+    world_shape = shape_of(world_points(scene, path), world_looks)
+    object_shape = shape_of(corners_of(scene.object), object_looks)
+    figure, world_part, object_part, legend_part = layout_of(scene, world_shape, object_shape)
+    fill(figure, world_part, world_shape[0], world_looks,
          lambda axes, *look: world_panel(axes, scene, world, path, *look), title_of("world", world), "P(occupied), world")
-    fill(object_part, object_ratios, object_looks,
+    fill(figure, object_part, object_shape[0], object_looks,
          lambda axes, *look: object_panel(axes, scene, found, *look), title_of("object", found), "P(occupied), object")
-    legend(figure, len(path) > 1)
+    below = figure.add_subplot(legend_part)
+    below.set_axis_off()
+    legend(below, len(path) > 1)
     return figure
 
 
-def legend(figure, has_path):
+def legend(axes, has_path):
     entries = [
         Line2D([], [], color=WORLD_OUTLINE, lw=1.8, label="true environment"),
         Line2D([], [], color=OBJECT_OUTLINE, lw=1.8, label="true object"),
@@ -251,10 +258,7 @@ def legend(figure, has_path):
     ]
     if has_path:
         entries.insert(3, Line2D([], [], color=PATH_COLORS(0.5), lw=2.2, label="last path"))
-    figure.legend(handles=entries, loc="lower center", ncols=len(entries), frameon=False)
-    # The lines of the legend and of the title, which the layout would give to the panels.
-    line = LINE / figure.get_size_inches()[1]
-    figure.get_layout_engine().set(rect=(0.0, line, 1.0, 1.0 - 2.0 * line))
+    axes.legend(handles=entries, loc="center", ncol=len(entries), frameon=False)
 
 
 def main():

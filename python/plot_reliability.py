@@ -69,7 +69,7 @@ def draw(risk, touched):
     error = np.sum(np.abs(stated - found) * count) / len(risk)
     low, high = wilson(found, count)
     figure, (axes, below) = plt.subplots(
-        2, 1, figsize=(4.8, 6.0), sharex=True, height_ratios=(3, 1), layout="constrained"
+        2, 1, figsize=(4.8, 6.0), sharex=True, gridspec_kw={"height_ratios": (3, 1)}, constrained_layout=True
     )
     axes.plot([0, 1], [0, 1], color="#7a7a7a", linestyle="--", linewidth=1.0)
     axes.errorbar(stated, found, yerr=np.clip([found - low, high - found], 0, None), fmt="o", color=BLUE, capsize=3)

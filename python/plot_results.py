@@ -70,7 +70,7 @@ def draw_method(axes, place, trials, color):
 
 
 def draw(trials, title, scenarios):
-    figure, axes = plt.subplots(figsize=(2.6 + 1.7 * max(len(trials), 2), 4.8), layout="constrained")
+    figure, axes = plt.subplots(figsize=(2.6 + 1.7 * max(len(trials), 2), 4.8), constrained_layout=True)
     for name, count, color in PAPER if scenarios == [PAPER_SCENE] else ():
         axes.axhline(count, color=color, linestyle="--", linewidth=1.0, alpha=0.8)
         axes.annotate(
@@ -86,7 +86,8 @@ def draw(trials, title, scenarios):
     axes.set_yscale("log")
     axes.set_ylim(0.7, 8000)
     axes.set_xlim(-0.6, len(trials) + 0.4)
-    axes.set_xticks(range(len(trials)), labels)
+    axes.set_xticks(range(len(trials)))
+    axes.set_xticklabels(labels)
     axes.set_ylabel("collisions until the goal")
     axes.grid(axis="y", which="major", alpha=0.3)
     axes.set_title(title, fontsize=11)

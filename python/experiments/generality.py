@@ -61,7 +61,7 @@ def table(groups, drafts):
 
 
 def figure(groups):
-    drawn, axes = plt.subplots(figsize=(4.8, 3.4), layout="constrained")
+    drawn, axes = plt.subplots(figsize=(4.8, 3.4), constrained_layout=True)
     for name, color in COLORS.items():
         group = groups.get(name)
         if group:

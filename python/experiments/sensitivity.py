@@ -66,7 +66,7 @@ def measured(records, key, value):
 def report(records, _directory):
     """The table as text, and the figure by its name."""
     lines = ["| key | value | mean | most | at the goal | object: precision | world: precision |", "|---" * 7 + "|"]
-    figure, panels = plt.subplots(1, len(SWEEPS), figsize=(3.0 * len(SWEEPS), 3.2), sharey=True, layout="constrained")
+    figure, panels = plt.subplots(1, len(SWEEPS), figsize=(3.0 * len(SWEEPS), 3.2), sharey=True, constrained_layout=True)
     for axes, (key, _, values, label) in zip(panels, SWEEPS):
         for place, value in enumerate(values):
             counts, reached, maps = measured(records, key, value)
@@ -76,7 +76,8 @@ def report(records, _directory):
             )
             axes.scatter([place] * len(counts), counts, s=12, color=COLOR, alpha=0.5)
             axes.scatter([place], [statistics.mean(counts)], s=60, marker="_", color=COLOR)
-        axes.set_xticks(range(len(values)), values)
+        axes.set_xticks(range(len(values)))
+        axes.set_xticklabels(values)
         axes.set(xlabel=label, ylim=(0, None))
         axes.grid(axis="y", alpha=0.3)
     panels[0].set_ylabel("collisions until the goal")

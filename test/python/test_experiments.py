@@ -68,7 +68,8 @@ class ExperimentsTest(unittest.TestCase):
             self.assertEqual(list(Store(self.folder).finished), ["t1"])
         run([Trial(f"t{seed}", "scene", seed) for seed in (1, 2)], self.folder, 1)
         self.assertEqual(self.seeds_called(), [1, 2, 2])
-        self.assertEqual([json.loads(line)["trial"]["seed"] for line in file.open()], [1, 2])
+        lines = file.read_text().splitlines()
+        self.assertEqual([json.loads(line)["trial"]["seed"] for line in lines], [1, 2])
 
     def test_a_trial_that_fails_costs_no_other_and_is_named(self):
         some = [Trial(f"t{seed}", "scene", seed) for seed in (12, 13, 14)]
