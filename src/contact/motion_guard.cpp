@@ -9,6 +9,10 @@
 namespace smore {
 namespace {
 
+// A joint may be where its motion was so long ago: two ways over a network, and what the controller
+// takes to pass from one piece of the motion to the next [s].
+constexpr double kLag = 0.1;
+
 bool allFinite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
@@ -142,7 +146,7 @@ std::optional<JointTrajectory> MotionGuard::admit(double now, const JointTraject
 }
 
 void MotionGuard::check(double now) {
-  const std::string problem = silence(now);
+  const std::string problem = silence(now, parameters_.max_silence);
   if (!problem.empty()) stop(problem);
   if (!safety_stop_.empty()) stop(safety_stop_);
   if (!program_runs_) {
@@ -156,12 +160,19 @@ void MotionGuard::onProgram(bool running) { program_runs_ = running; }
 
 void MotionGuard::checkMotion(double now, const JointTrajectoryPoint& expected) {
   check(now);
-  const std::string problem = problemOfMotion(now, expected);
+  const std::string nobody = unattended(now, parameters_.max_silence);
+  if (!nobody.empty()) stop(nobody);
+  const std::string problem = problemOfMotion(expected);
   if (!problem.empty()) stop(problem);
 }
 
+std::string MotionGuard::lateness(double now) const {
+  const std::string problem = silence(now, parameters_.max_lateness);
+  return problem.empty() ? unattended(now, parameters_.max_lateness) : problem;
+}
+
 std::optional<JointTrajectoryPoint> MotionGuard::joints(double now) const {
-  if (!joints_beat_.stamp || now - joints_beat_.measured > parameters_.max_silence) {
+  if (!joints_beat_.stamp || now - joints_beat_.measured > parameters_.max_lateness) {
     return std::nullopt;
   }
   return state_;
@@ -178,8 +189,13 @@ void MotionGuard::clear(double now) {
   check(now);
 }
 
-std::string MotionGuard::silence(double now) const {
-  const double most = parameters_.max_silence;
+std::string MotionGuard::unattended(double now, double most) const {
+  if (now - commander_ <= most) return "";
+  return "no sign of life of who commanded the motion for over " + milliseconds(most) +
+         "; is the retrieval node up?";
+}
+
+std::string MotionGuard::silence(double now, double most) const {
   const auto silent = [&](const Heartbeat& stream) {
     return stream.stamp && now - stream.measured > most;
   };
@@ -241,16 +257,13 @@ std::string MotionGuard::problemOfPoints(const JointTrajectory& ordered) const {
   return "";
 }
 
-std::string MotionGuard::problemOfMotion(double now, const JointTrajectoryPoint& expected) const {
-  if (now - commander_ > parameters_.max_unattended) {
-    return "no sign of life of who commanded the motion for over " +
-           milliseconds(parameters_.max_unattended) + "; is the retrieval node up?";
-  }
+std::string MotionGuard::problemOfMotion(const JointTrajectoryPoint& expected) const {
   for (size_t i = 0; i < joint_names_.size(); ++i) {
     const double away = std::abs(state_.positions[i] - expected.positions[i]);
-    if (away > parameters_.path_tolerance) {
-      return above("the distance of " + joint_names_[i] + " from its motion", away,
-                   parameters_.path_tolerance, "rad") +
+    const double allowed = parameters_.path_tolerance + kLag * std::abs(expected.velocities[i]);
+    if (away > allowed) {
+      return above("the distance of " + joint_names_[i] + " from its motion", away, allowed,
+                   "rad") +
              "; does the robot follow commands?";
     }
   }

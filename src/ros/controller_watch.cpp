@@ -8,8 +8,9 @@
 namespace smore {
 namespace {
 
-// A controller that runs tells its state far more often [s of wall time].
-constexpr double kSilence = 0.5;
+// A controller that runs tells its state far more often, and a motion that it does not follow has
+// not come far by then [s of wall time].
+constexpr double kSilence = 0.3;
 
 }  // namespace
 
@@ -19,20 +20,22 @@ ControllerWatch::ControllerWatch(ros::CallbackQueue* queue, const ros::Publisher
     : commands_(commands) {
   node_.setCallbackQueue(queue);
   const boost::function<void(const topic_tools::ShapeShifter&)> on_state =
-      [this](const topic_tools::ShapeShifter& /*state*/) { last_state_ = ros::SteadyTime::now(); };
+      [this](const topic_tools::ShapeShifter& /*state*/) {
+        last_state_ = ros::SteadyTime::now().toSec();
+      };
   state_ = node_.subscribe<topic_tools::ShapeShifter>(names::kControllerState, names::kLatestQueue,
                                                       on_state, ros::VoidConstPtr(),
                                                       ros::TransportHints().tcpNoDelay());
 }
 
-std::string ControllerWatch::problem() const {
+std::string ControllerWatch::problem(double now) const {
   const std::string commands = "'" + commands_.getTopic() + "'";
   if (commands_.getNumSubscribers() == 0) {
     return "nobody listens to commands on " + commands +
            "; is the robot's driver up, and its controller loaded (controller_manager/"
            "list_controllers)?";
   }
-  const bool silent = (ros::SteadyTime::now() - last_state_).toSec() > kSilence;
+  const bool silent = now - last_state_ > kSilence;
   if (state_.getNumPublishers() > 0 && silent) {
     return "the controller that gets the commands on " + commands +
            " is loaded but does not run: nothing comes on '" + state_.getTopic() +

@@ -22,12 +22,14 @@
 #include "smore/ros/safety_mode.h"
 #include "smore/ros/shutdown_request.h"
 #include "smore/ros/speed_listener.h"
+#include "smore/ros/throttle.h"
 
 namespace smore {
 namespace {
 
-constexpr double kChecksPerSilence = 10.0;  // so a silence is seen at most a tenth late
-constexpr double kAtRest = 1e-3;            // joints that stand are slower than this [rad/s]
+constexpr double kChecksPerLateness = 10.0;  // so it is seen at most a tenth late
+constexpr double kAtRest = 1e-3;             // joints that stand are slower than this [rad/s]
+constexpr double kWarningPeriod = 5.0;       // [s] between warnings of one kind
 // A robot that was told to stop when the node ends stands after this [s of wall time], or it does
 // not obey.
 constexpr double kLastStop = 0.3;
@@ -43,14 +45,17 @@ GuardParameters readGuardParameters(ParameterReader* reader) {
   MotionGuardParameters& parameters = all.guard;
   reader->number("max_force", &parameters.max_force, {1.0, kMost});
   reader->number("max_torque", &parameters.max_torque, {0.1, kMost});
+  reader->number("max_lateness", &parameters.max_lateness, {0.005, 10.0});
   reader->number("max_silence", &parameters.max_silence, {0.005, 10.0});
   reader->number("max_joint_speed", &parameters.max_joint_speed, {0.01, 10.0});
   reader->number("start_tolerance", &parameters.start_tolerance, {0.001, 1.0});
   reader->number("force_margin", &parameters.force_margin, {0.0, kMost});
   reader->number("torque_margin", &parameters.torque_margin, {0.0, kMost});
-  reader->number("max_unattended", &parameters.max_unattended, {0.02, 10.0});
   reader->number("path_tolerance", &parameters.path_tolerance, {0.001, 1.0});
   reader->number("stop_deceleration", &all.horizon.deceleration, {0.1, kMost});
+  if (parameters.max_silence < parameters.max_lateness) {
+    reader->error("max_silence", "is less than max_lateness; give at least as much");
+  }
   return all;
 }
 
@@ -71,7 +76,7 @@ class GuardNode {
         stream_(parameters.horizon),
         deceleration_(parameters.horizon.deceleration),
         joint_names_(std::move(joint_names)),
-        period_(parameters.guard.max_silence / kChecksPerSilence) {
+        period_(parameters.guard.max_lateness / kChecksPerLateness) {
     node_.setCallbackQueue(&queue_);
     private_node_.setCallbackQueue(&queue_);
     constexpr bool kLatched = true;
@@ -88,12 +93,15 @@ class GuardNode {
 
   void run() {
     while (!shutdown_.pending()) {
+      // What has come by now is handed over first: silence is not that this node was held up.
+      heard_ = now();
       queue_.callAvailable(period_);
       if (stream_.active()) {
-        guard_.checkMotion(now(), stream_.expected());
+        guard_.checkMotion(heard_, stream_.expected());
         checkController();
+        waitWhileLate();
       }
-      guard_.check(now());
+      guard_.check(heard_);
       reactToFault();
     }
     endAtRest();
@@ -131,8 +139,19 @@ class GuardNode {
     reactToFault();
     const auto joints = guard_.joints(now());
     if (!stream_.active() || !joints) return;
-    const auto horizon = stream_.advance(joints->time, speed_.scaling());
+    const bool waits = !guard_.lateness(now()).empty();
+    const auto horizon = stream_.advance(joints->time, waits ? 0.0 : speed_.scaling());
     if (horizon) guarded_.publish(toMessage(*horizon));
+  }
+
+  /// Brakes a motion that must wait. It stays as far as it has come, as in a pause of the robot.
+  void waitWhileLate() {
+    const std::string lateness = guard_.lateness(heard_);
+    if (!lateness.empty() && !waits_) {
+      if (late_warning_.isDue()) ROS_WARN_STREAM("the motion waits: " << lateness);
+      brakeNow();
+    }
+    waits_ = !lateness.empty();
   }
 
   void onContact(const smore_msgs::ContactObservation& message) {
@@ -144,24 +163,18 @@ class GuardNode {
 
   void onSignOfLife(const std_msgs::Empty& /*message*/) { guard_.onSignOfLife(now()); }
 
-  void onProgram(const std_msgs::Bool& message) {
-    guard_.onProgram(message.data != 0);
-    guard_.check(now());
-    reactToFault();
-  }
+  void onProgram(const std_msgs::Bool& message) { guard_.onProgram(message.data != 0); }
 
   void onSafety(const topic_tools::ShapeShifter& message) {
     const auto mode = safetyModeOf(message);
     if (!mode) return guard_.stop("'" + safety_.getTopic() + "' brings no safety mode");
     guard_.onSafetyStop(safetyStop(*mode));
-    guard_.check(now());
-    reactToFault();
   }
 
   void onCommand(const trajectory_msgs::JointTrajectory& message) {
     if (message.points.empty()) return halt();
     checkController();
-    const auto motion = guard_.admit(now(), fromMessage(message));
+    const auto motion = guard_.admit(heard_, fromMessage(message));
     reactToFault();
     if (!motion) {
       ROS_ERROR_STREAM("command refused: " << guard_.fault() << "; call '" << clear_.getService()
@@ -170,23 +183,28 @@ class GuardNode {
     }
     reflex_.onMotion();
     stream_.begin(*motion);
+    waits_ = false;
   }
 
   void checkController() {
-    const std::string problem = controller_->problem();
+    const std::string problem = controller_->problem(heard_);
     if (!problem.empty()) guard_.stop(problem);
+  }
+
+  void halt() {
+    brakeNow();
+    stream_.end();
   }
 
   /// Brakes from where the joints are now. Where that is not known, a motion ends with the last
   /// horizon that the robot got; without one the robot is told to stop as it can.
-  void halt() {
+  void brakeNow() {
     const auto joints = guard_.joints(now());
     if (joints) {
       guarded_.publish(toMessage(brake(joint_names_, *joints, deceleration_, speed_.scaling())));
     } else if (!stream_.active()) {
       guarded_.publish(trajectory_msgs::JointTrajectory());
     }
-    stream_.end();
   }
 
   void endAtRest() {
@@ -212,7 +230,7 @@ class GuardNode {
   }
 
   bool onClear(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
-    guard_.clear(now());
+    guard_.clear(heard_);
     reactToFault();
     response.success = guard_.fault().empty();
     response.message = response.success ? "cleared" : guard_.fault();
@@ -243,6 +261,9 @@ class GuardNode {
   double deceleration_;  ///< of a brake [rad/s^2]
   std::vector<std::string> joint_names_;
   ros::WallDuration period_;  ///< between two checks for silence
+  double heard_ = now();      ///< what had come by then is known [s]
+  bool waits_ = false;        ///< whether the motion waits, since what is known is late
+  Throttle late_warning_{kWarningPeriod};
   ros::CallbackQueue queue_;
   SpeedListener speed_{&queue_};
   ros::NodeHandle node_;

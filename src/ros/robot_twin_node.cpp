@@ -234,7 +234,7 @@ class RobotTwin {
   void publish(const DriverSample& sample) {
     if (!sample.poses.transforms.empty()) tf_.publish(sample.poses);
     joints_.publish(sample.joints);
-    if (controller_.running()) publishState();
+    if (controller_.running() || cut_off_) publishState();  // which knows of no cut
     wrench_.publish(sample.wrench);
     std_msgs::Float64 scaling;
     scaling.data = slider_;

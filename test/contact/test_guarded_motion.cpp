@@ -65,27 +65,61 @@ TEST_F(GuardedMotionTest, RefusesAMotionThatDoesNotEndAtRest) {
   expectRefused(trajectory, "does not end at rest");
 }
 
-TEST_F(GuardedMotionTest, AMotionThatNobodyAttendsToLatches) {
+// As on a computer that is busy for a moment.
+TEST_F(GuardedMotionTest, AMotionWaitsWhileAStreamIsLateAndMayGoOn) {
+  ASSERT_TRUE(guard_.admit(now_, motion(0.5, 1.0)));
+  EXPECT_EQ(guard_.lateness(now_), "");
+  const auto waits_without = [&](bool wrenches, bool joints, bool contacts) {
+    run(0.048, wrenches, joints, contacts);
+    guard_.onSignOfLife(now_);
+    const bool early = !guard_.lateness(now_).empty();
+    run(0.1, wrenches, joints, contacts);
+    guard_.onSignOfLife(now_);
+    const bool waits = !guard_.lateness(now_).empty();
+    run(kPeriod);
+    return waits && !early && guard_.lateness(now_).empty();
+  };
+  EXPECT_TRUE(waits_without(false, true, true));
+  EXPECT_TRUE(waits_without(true, false, true));
+  EXPECT_TRUE(waits_without(true, true, false));
+  guard_.checkMotion(now_, {0.0, positions_, velocities_});
+  EXPECT_EQ(guard_.fault(), "");
+}
+
+TEST_F(GuardedMotionTest, AMotionThatNobodyAttendsToWaitsAndThenLatches) {
   ASSERT_TRUE(guard_.admit(now_, motion(0.5, 1.0)));
   const JointTrajectoryPoint here{0.0, positions_, velocities_};
-  run(0.09);
-  guard_.checkMotion(now_, here);
-  EXPECT_EQ(guard_.fault(), "");
+  const auto check_after = [&](double duration) {
+    run(duration);
+    guard_.checkMotion(now_, here);
+  };
+  check_after(0.048);
+  EXPECT_EQ(guard_.lateness(now_), "");
+  check_after(0.004);
+  EXPECT_NE(guard_.lateness(now_).find("no sign of life"), std::string::npos);
   guard_.onSignOfLife(now_);
-  run(0.09);
-  guard_.checkMotion(now_, here);
+  EXPECT_EQ(guard_.lateness(now_), "");
+  check_after(0.19);
   EXPECT_EQ(guard_.fault(), "");
-  run(0.02);
-  guard_.checkMotion(now_, here);
+  check_after(0.02);
   EXPECT_NE(guard_.fault().find("no sign of life"), std::string::npos) << guard_.fault();
 }
 
 TEST_F(GuardedMotionTest, ARobotThatDoesNotFollowLatches) {
   ASSERT_TRUE(guard_.admit(now_, motion(0.5, 1.0)));
-  guard_.checkMotion(now_, {0.0, {0.39, -0.8}, velocities_});
+  guard_.checkMotion(now_, {0.0, {0.32, -0.8}, velocities_});
   EXPECT_EQ(guard_.fault(), "");
-  guard_.checkMotion(now_, {0.0, {0.41, -0.8}, velocities_});
+  guard_.checkMotion(now_, {0.0, {0.34, -0.8}, velocities_});
   EXPECT_NE(guard_.fault().find("shoulder from its motion"), std::string::npos) << guard_.fault();
+}
+
+// It gets each command later than it was sent.
+TEST_F(GuardedMotionTest, AJointThatMovesMayBeLate) {
+  ASSERT_TRUE(guard_.admit(now_, motion(0.5, 1.0)));
+  guard_.checkMotion(now_, {0.0, {0.42, -0.8}, {1.0, 0.0}});
+  EXPECT_EQ(guard_.fault(), "");
+  guard_.checkMotion(now_, {0.0, {0.42, -0.8}, {-0.8, 0.0}});
+  EXPECT_NE(guard_.fault(), "");
 }
 
 }  // namespace

@@ -55,21 +55,21 @@ TEST_F(MotionGuardTest, OnceTheForceHasFallenTheCeilingIsBack) {
 }
 
 TEST_F(MotionGuardTest, SilenceOfEitherStreamLatchesAfterItsTime) {
-  run(0.05, false, true);
+  run(0.2, false, true);
   EXPECT_EQ(guard_.fault(), "");
   run(2 * kPeriod, false, true);
-  EXPECT_NE(guard_.fault().find("no wrench younger than 50 ms"), std::string::npos);
+  EXPECT_NE(guard_.fault().find("no wrench younger than 200 ms"), std::string::npos);
   guard_.clear(now_);
   EXPECT_NE(guard_.fault(), "") << "still silent";
   run(kPeriod);
   guard_.clear(now_);
   EXPECT_EQ(guard_.fault(), "");
-  run(0.05 + 2 * kPeriod, true, false);
-  EXPECT_NE(guard_.fault().find("no joint states younger than 50 ms"), std::string::npos);
+  run(0.2 + 2 * kPeriod, true, false);
+  EXPECT_NE(guard_.fault().find("no joint states younger than 200 ms"), std::string::npos);
 }
 
 TEST_F(MotionGuardTest, ARepeatedMessageIsSilence) {
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 110; ++i) {
     now_ += kPeriod;
     guard_.onWrench(now_, 1.0, wrench_);
     guard_.onJoints(now_, {now_, kJoints, positions_, velocities_});
@@ -90,11 +90,11 @@ TEST_F(MotionGuardTest, MessagesOfLongAgoAreSilence) {
       guard_.check(now_);
     }
   };
-  run_late(0.04, 0.04);
+  run_late(0.19, 0.19);
   EXPECT_EQ(guard_.fault(), "");
-  run_late(0.06, 0.04);
+  run_late(0.21, 0.19);
   EXPECT_NE(guard_.fault().find("no wrench younger"), std::string::npos) << guard_.fault();
-  run_late(0.04, 0.06);
+  run_late(0.19, 0.21);
   guard_.clear(now_);
   EXPECT_NE(guard_.fault().find("no joint states younger"), std::string::npos) << guard_.fault();
 }
@@ -108,10 +108,10 @@ TEST_F(MotionGuardTest, AWrenchThatStaysTheSameUnderFreshStampsLatchesAtRest) {
     run(kPeriod);
   }
   EXPECT_EQ(guard_.fault(), "");
-  run(0.048);
+  run(0.198);
   EXPECT_EQ(guard_.fault(), "");
   run(2 * kPeriod);
-  EXPECT_NE(guard_.fault().find("has been the same for over 50 ms"), std::string::npos);
+  EXPECT_NE(guard_.fault().find("has been the same for over 200 ms"), std::string::npos);
   guard_.clear(now_);
   EXPECT_NE(guard_.fault(), "") << "frozen still";
   wrench_.force.x() += 0.1;
@@ -121,7 +121,7 @@ TEST_F(MotionGuardTest, AWrenchThatStaysTheSameUnderFreshStampsLatchesAtRest) {
 }
 
 TEST_F(MotionGuardTest, ContactObservationsThatStayOutLatchAtRest) {
-  run(0.04, true, true, false);
+  run(0.19, true, true, false);
   EXPECT_EQ(guard_.fault(), "");
   run(0.02, true, true, false);
   EXPECT_NE(guard_.fault().find("contact observations are late"), std::string::npos);
@@ -130,7 +130,7 @@ TEST_F(MotionGuardTest, ContactObservationsThatStayOutLatchAtRest) {
 TEST_F(MotionGuardTest, ContactObservationsOfLongAgoLatchAtRest) {
   for (int i = 0; i < 5; ++i) {
     run(kPeriod, true, true, false);
-    guard_.onContact(now_, now_ - 0.06, true);
+    guard_.onContact(now_, now_ - 0.21, true);
   }
   guard_.check(now_);
   EXPECT_NE(guard_.fault().find("contact observations are late"), std::string::npos);
@@ -152,7 +152,7 @@ TEST(MotionGuard, ObservationsThatAreUnevenAtTheStartDoNotLatch) {
   guard.clear(kPeriod * 200);
   guard.onContact(kPeriod * 200, kPeriod * 200, true);
   guard.onContact(kPeriod * 201, kPeriod * 201, false);  // it counts from now on, sure or not
-  for (int i = 201; i <= 240; ++i) wrench_at(kPeriod * i);
+  for (int i = 201; i <= 310; ++i) wrench_at(kPeriod * i);
   EXPECT_NE(guard.fault().find("contact observations are late"), std::string::npos);
 }
 

@@ -191,6 +191,17 @@ class GuardNode(unittest.TestCase):
         self.driver.contacts = False
         self.stopped_because("the contact observations are late")
 
+    def test_a_motion_waits_for_what_is_late_and_goes_on(self):
+        self.assertTrue(self.moves())
+        self.driver.contacts = False
+        self.assertTrue(self.passed.wait_for(is_stop), "no brake")
+        self.assertTrue(wait_until(lambda: not self.pieces_in(0.1)), "it goes on blindly")
+        self.driver.contacts = True
+        self.passed.clear()
+        self.assertTrue(self.passed.wait_for(is_horizon), "it does not go on")
+        self.assertFalse([m for m in self.faults.messages() if m.data])
+        self.end_motion()
+
     def test_a_paused_robot_gets_nothing_and_goes_on_later(self):
         self.assertTrue(self.moves())
         self.scaling.publish(0.0)
@@ -239,7 +250,7 @@ class GuardNode(unittest.TestCase):
         self.stopped_because("the wrench has been the same")
 
     def test_stamps_of_long_ago_are_a_fault_at_rest(self):
-        self.driver.age = 1.0
+        self.driver.age = 5.0
         self.stopped_because("no wrench younger")
 
     def test_contact_observations_that_stay_out_are_a_fault_at_rest(self):

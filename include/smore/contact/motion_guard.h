@@ -11,13 +11,17 @@
 namespace smore {
 
 struct MotionGuardParameters {
-  double max_force = 40.0;       ///< of a raw sample, weight and bias included [N]
-  double max_torque = 8.0;       ///< the same, about the sensor's origin [N m]
-  double max_silence = 0.05;     ///< age of the newest of a stream [s]
-  double max_unattended = 0.1;   ///< without a sign of life of who commanded a motion [s]
+  double max_force = 40.0;  ///< of a raw sample, weight and bias included [N]
+  double max_torque = 8.0;  ///< the same, about the sensor's origin [N m]
+  /// Age of the newest of a stream, or of the sign of life of who commanded a motion, at which the
+  /// motion waits, and at which it is a fault [s].
+  double max_lateness = 0.05;
+  double max_silence = 0.2;
   double max_joint_speed = 2.0;  ///< measured and commanded, of each joint [rad/s] or [m/s]
   double start_tolerance = 0.1;  ///< of each joint, to where a motion starts [rad] or [m]
-  double path_tolerance = 0.1;   ///< of each joint, to where it should be in a motion [rad] or [m]
+  /// Of each joint, to where it should be in a motion [rad] or [m]; a joint that moves may be late
+  /// by a tenth of a second on top of it.
+  double path_tolerance = 0.03;
   /// After a fault is cleared under load, force and torque may rise above the least since then by
   /// this much [N], [N m]; sensor noise must be smaller.
   double force_margin = 10.0;
@@ -37,9 +41,12 @@ struct JointReading {
 
 /// Decides whether a robot may move. It latches the first fault with its reason, whether a motion
 /// runs or not: force, torque or joint speed above the limit, a value that is not finite, a stream
-/// (wrenches, joint states, contact observations) that was there and falls silent, is late or
-/// repeats itself, a trajectory that is too fast or does not start at the joints. While a motion
-/// runs, its commander must show that it lives, and the joints must follow.
+/// (wrenches, joint states, contact observations) that was there and falls silent or repeats
+/// itself, a trajectory that is too fast or does not start at the joints. While a motion runs, its
+/// commander must show that it lives, and the joints must follow.
+///
+/// A computer that is busy for a moment is no fault: where streams or commander are merely late, a
+/// motion has to wait, blind as it is, and goes on when they are not.
 ///
 /// All `now` and `measured` are of one clock that never jumps [s]; `measured` is when a message's
 /// values were new, by the age of its stamp. A message whose stamp is that of the one before counts
@@ -76,15 +83,20 @@ class MotionGuard {
   /// 0 is where the motion starts; before a later one the robot moves there from where it stands.
   std::optional<JointTrajectory> admit(double now, const JointTrajectory& trajectory);
 
-  /// Looks for silence; to be called several times in `max_silence`.
+  /// Looks for silence; to be called several times in `max_lateness`. Here and below, all that had
+  /// come by `now` must have been handed over: who was held up himself has heard nothing, and takes
+  /// that for silence.
   void check(double now);
 
   /// Looks for what must not be while a motion runs, that should have come to `expected` by now; to
   /// be called as often.
   void checkMotion(double now, const JointTrajectoryPoint& expected);
 
+  /// Why a motion that runs must wait for now; empty: it need not.
+  std::string lateness(double now) const;
+
   /// Where the joints are and how fast, in the order of the names, its time their stamp; nothing
-  /// where that is older than `max_silence`.
+  /// where that is older than `max_lateness`.
   std::optional<JointTrajectoryPoint> joints(double now) const;
 
   /// Latches a fault of the caller's own, such as a user's stop.
@@ -117,10 +129,11 @@ class MotionGuard {
     void beat(double new_measured, double new_stamp);
   };
 
-  std::string silence(double now) const;
+  std::string silence(double now, double most) const;
+  std::string unattended(double now, double most) const;
   std::string problemOf(const JointTrajectory& trajectory) const;
   std::string problemOfPoints(const JointTrajectory& ordered) const;
-  std::string problemOfMotion(double now, const JointTrajectoryPoint& expected) const;
+  std::string problemOfMotion(const JointTrajectoryPoint& expected) const;
 
   MotionGuardParameters parameters_;
   std::vector<std::string> joint_names_;

@@ -18,13 +18,14 @@ class ControllerWatch {
   /// `problem` is asked.
   ControllerWatch(ros::CallbackQueue* queue, const ros::Publisher& commands);
 
-  /// Why a command now would move nothing; empty where nothing says so.
-  std::string problem() const;
+  /// Why a command would move nothing; empty where nothing says so. `now` [s of ros::SteadyTime]:
+  /// all that had come by then must have been handed over.
+  std::string problem(double now) const;
 
  private:
   ros::NodeHandle node_;
   ros::Publisher commands_;
-  ros::SteadyTime last_state_ = ros::SteadyTime::now();
+  double last_state_ = ros::SteadyTime::now().toSec();
   ros::Subscriber state_;
 };
 
