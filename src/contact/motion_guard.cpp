@@ -13,6 +13,10 @@ namespace {
 // takes to pass from one piece of the motion to the next [s].
 constexpr double kLag = 0.1;
 
+constexpr char kProgramEnded[] =
+    "the robot's program does not run: it ended, or a protective or emergency stop ended it; press "
+    "Play when the cause is gone";
+
 bool allFinite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
@@ -148,12 +152,11 @@ std::optional<JointTrajectory> MotionGuard::admit(double now, const JointTraject
 void MotionGuard::check(double now) {
   const std::string problem = silence(now, parameters_.max_silence);
   if (!problem.empty()) stop(problem);
-  if (!safety_stop_.empty()) stop(safety_stop_);
-  if (!program_runs_) {
-    stop(
-        "the robot's program does not run: it ended, or a protective or emergency stop ended it; "
-        "press Play when the cause is gone");
+  if (!safety_stop_.empty()) {
+    if (fault_ == kProgramEnded) fault_.clear();  // this says why
+    stop(safety_stop_);
   }
+  if (!program_runs_) stop(kProgramEnded);
 }
 
 void MotionGuard::onProgram(bool running) { program_runs_ = running; }

@@ -4,9 +4,9 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
-#include <filesystem>
 #include <mutex>
 
+#include "retrieval_node_parameters.h"
 #include "smore/retrieval/reconstruction.h"
 #include "smore/retrieval/retrieval.h"
 #include "smore/ros/names.h"
@@ -14,7 +14,6 @@
 #include "smore/ros/payload_tilts.h"
 #include "smore/ros/remote_planner.h"
 #include "smore/ros/retrieval_summary.h"
-#include "smore/ros/ros_robot.h"
 #include "smore/ros/shutdown_request.h"
 
 namespace smore {
@@ -22,38 +21,9 @@ namespace {
 
 constexpr double kLookPeriod = 0.01;  // between two looks whether the node is to end [s]
 constexpr double kLastWords = 0.5;    // that a retrieval has to end when the node ends [s]
-
-struct RetrievalNodeParameters {
-  FrameNames frames;
-  MethodKind method = MethodKind::kSmore;  ///< for the summary; the planner decides
-  RosRobotParameters robot;
-  int max_collisions = 2000;
-  double retreat_distance = 0.05;  ///< [m + rad]
-  bool identify_payload = true;    ///< at the start, where the robot tilts it
-  double payload_tilt = 0.5;       ///< [rad]
-  bool auto_start = false;
-  std::string output;  ///< directory for maps and summary; empty: none
-};
-
-RetrievalNodeParameters readParameters(ParameterReader* reader) {
-  RetrievalNodeParameters parameters;
-  parameters.frames = readFrameNames(reader);
-  parameters.method = readMethod(reader);
-  reader->number("silence_timeout", &parameters.robot.silence_timeout, {0.01, 3600.0});
-  reader->number("ready_timeout", &parameters.robot.ready_timeout, {0.1, 3600.0});
-  if (reader->has("reset_service")) reader->text("reset_service", &parameters.robot.reset_service);
-  if (reader->has("zero_service")) reader->text("zero_service", &parameters.robot.zero_service);
-  reader->integer("max_collisions", &parameters.max_collisions, 1, 1000000);
-  reader->number("retreat_distance", &parameters.retreat_distance, {1e-3, 10.0});
-  reader->boolean("identify_payload", &parameters.identify_payload);
-  reader->number("payload_tilt", &parameters.payload_tilt, {0.2, 1.0});
-  reader->boolean("auto_start", &parameters.auto_start);
-  if (reader->has("output")) reader->text("output", &parameters.output);
-  if (!parameters.output.empty() && !std::filesystem::path(parameters.output).is_absolute()) {
-    reader->error("output", "'" + parameters.output + "' is not an absolute path; give one");
-  }
-  return parameters;
-}
+constexpr double kComesToRest = 0.2;  // an arm that was stopped [s]
+constexpr char kStillPresses[] =
+    "; the object may still press where it is, and the next goal begins by backing off";
 
 /// Offers the retrieval loop as an action. The loop runs in the action's thread.
 class RetrievalNode {
@@ -73,7 +43,7 @@ class RetrievalNode {
 
   /// Takes goals until the node is to end.
   void run() {
-    while (!shutdown_.pending()) ros::WallDuration(kLookPeriod).sleep();
+    while (!shutdown_.pending()) look();
     endAtRest();
   }
 
@@ -92,7 +62,7 @@ class RetrievalNode {
         endAtRest();
         return true;
       }
-      ros::WallDuration(kLookPeriod).sleep();
+      look();
     }
     return client.getResult()->success != 0;
   }
@@ -100,11 +70,20 @@ class RetrievalNode {
  private:
   using Server = actionlib::SimpleActionServer<smore_msgs::RetrieveAction>;
 
+  /// Waits for a moment. A goal that comes while the robot backs off goes first: it backs off
+  /// itself, and its cancel is heard.
+  void look() {
+    ros::WallDuration(kLookPeriod).sleep();
+    const std::lock_guard<std::mutex> lock(stop_mutex_);
+    if (backs_off_ && server_.isNewGoalAvailable()) robot_.requestStop();
+  }
+
   /// Ends the goal that is active, and one that has come but not begun.
   bool onStop(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
     const std::lock_guard<std::mutex> lock(stop_mutex_);
     if (server_.isNewGoalAvailable()) stop_next_ = true;
-    if (stop_next_ || server_.isActive()) {
+    stopped_ = true;
+    if (stop_next_ || server_.isActive() || backs_off_) {
       robot_.requestStop();
     } else {
       robot_.halt();
@@ -116,7 +95,11 @@ class RetrievalNode {
 
   /// The stop goes out before ROS ends, and the retrieval has a moment to say how it ended.
   void endAtRest() {
-    robot_.requestStop();
+    {
+      const std::lock_guard<std::mutex> lock(stop_mutex_);
+      stopped_ = true;
+      robot_.requestStop();
+    }
     const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kLastWords);
     while (server_.isActive() && ros::ok() && ros::WallTime::now() < deadline) {
       ros::WallDuration(kLookPeriod).sleep();
@@ -127,24 +110,45 @@ class RetrievalNode {
   void takeEarlyStop() {
     const std::lock_guard<std::mutex> lock(stop_mutex_);
     if (stop_next_ || server_.isPreemptRequested() || shutdown_.pending()) robot_.requestStop();
+    stopped_ = stop_next_;
     stop_next_ = false;
   }
 
   void execute(const smore_msgs::RetrieveGoal& goal) {
     takeEarlyStop();
     const ros::WallTime begin = ros::WallTime::now();
-    RetrievalOutcome outcome = attempt(goal);
     RetrievalSummary summary;
+    RetrievalOutcome& outcome = summary.outcome;
+    outcome = attempt(goal);
     summary.scenario = scenario_.name;
     summary.method = methodName(parameters_.method);
     summary.wall_s = (ros::WallTime::now() - begin).toSec();
-    summary.outcome = outcome;
     summary.cancelled = !outcome.success && robot_.stopRequested();
-    // Who cancels waits for the answer, not for the maps.
+    const bool backs_off = summary.cancelled && mayBackOff();
+    if (!outcome.success && !backs_off && robot_.canBackOff()) outcome.reason += kStillPresses;
+    // Who cancels waits for the answer, not for the way back or the maps.
     if (summary.cancelled) finish(outcome);
+    if (backs_off) endFree();
     report(summary);
     if (!summary.cancelled) finish(outcome);
     robot_.clearStop();
+  }
+
+  /// Whether the goal ended by a cancel, after which the robot may move; after a stop and a fault
+  /// nothing does.
+  bool mayBackOff() {
+    const std::lock_guard<std::mutex> lock(stop_mutex_);
+    backs_off_ = server_.isPreemptRequested() && !stopped_ && !robot_.faulted();
+    if (backs_off_) robot_.clearStop();
+    return backs_off_;
+  }
+
+  /// Backs off if something presses; what touched last may be felt only now.
+  void endFree() {
+    const std::string problem = robot_.standStill(kComesToRest) ? backOff() : "";
+    if (!problem.empty()) ROS_WARN_STREAM(problem);
+    const std::lock_guard<std::mutex> lock(stop_mutex_);
+    backs_off_ = false;
   }
 
   RetrievalOutcome attempt(const smore_msgs::RetrieveGoal& goal) {
@@ -243,12 +247,7 @@ class RetrievalNode {
   }
 
   void finish(const RetrievalOutcome& outcome) {
-    smore_msgs::RetrieveResult result;
-    result.success = static_cast<unsigned char>(outcome.success);
-    result.message = outcome.reason;
-    result.collisions = outcome.collisions;
-    result.plans = outcome.plans;
-    result.path_length = outcome.path_length;
+    const smore_msgs::RetrieveResult result = toMessage(outcome);
     if (outcome.success) {
       server_.setSucceeded(result, outcome.reason);
     } else if (server_.isPreemptRequested()) {
@@ -267,13 +266,15 @@ class RetrievalNode {
   ros::ServiceServer stop_;
   std::mutex stop_mutex_;
   bool stop_next_ = false;  ///< guarded by stop_mutex_: the goal that has not begun is to end
+  bool stopped_ = false;  ///< guarded by stop_mutex_: somebody asked for the stop of the last goal
+  bool backs_off_ = false;  ///< guarded by stop_mutex_: after a cancel
   ShutdownRequest shutdown_;
   Server server_;
 };
 
 void runRetrieval() {
   ParameterReader reader(privateParameters(), ros::this_node::getName());
-  RetrievalNodeParameters parameters = readParameters(&reader);
+  RetrievalNodeParameters parameters = readRetrievalParameters(&reader);
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
   reader.finish();

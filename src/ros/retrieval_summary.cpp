@@ -18,6 +18,16 @@ nlohmann::json poseJson(const Pose& pose) {
 
 }  // namespace
 
+smore_msgs::RetrieveResult toMessage(const RetrievalOutcome& outcome) {
+  smore_msgs::RetrieveResult result;
+  result.success = static_cast<unsigned char>(outcome.success);
+  result.message = outcome.reason;
+  result.collisions = outcome.collisions;
+  result.plans = outcome.plans;
+  result.path_length = outcome.path_length;
+  return result;
+}
+
 std::string toText(const RetrievalSummary& summary) {
   const RetrievalOutcome& outcome = summary.outcome;
   std::ostringstream text;

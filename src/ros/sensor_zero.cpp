@@ -20,6 +20,8 @@ constexpr int kAveraged = 200;       // samples: 0.4 s at 500 Hz
 constexpr double kNearZero = 0.5;    // [N]; what a zeroing that comes later still could change
 constexpr double kDeviations = 2.0;  // of the mean's noise, on top of it: 99 % of means
 constexpr double kLookPeriod = 0.1;  // [s of wall time]
+// A zeroing shows by then, or the object swung in it and it is repeated [s of wall time].
+constexpr double kPatience = 1.5;
 
 /// Means of the raw wrench's force, over one batch of samples after the other.
 class RawForce {
@@ -94,9 +96,14 @@ std::string callTrigger(ros::NodeHandle* node, const std::string& name, double t
 std::string zeroSensor(ros::NodeHandle* node, const std::string& zero_service, double timeout,
                        const std::function<bool()>& given_up) {
   RawForce force(node);
-  std::string problem = callTrigger(node, zero_service, timeout, given_up);
-  if (!problem.empty()) return problem;
-  if (!force.comesToZero(timeout, given_up)) {
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
+  bool zeroed = false;
+  while (!zeroed && ros::ok() && !given_up() && ros::WallTime::now() < deadline) {
+    const std::string problem = callTrigger(node, zero_service, timeout, given_up);
+    if (!problem.empty()) return problem;
+    zeroed = force.comesToZero(std::min(kPatience, timeout), given_up);
+  }
+  if (!zeroed) {
     std::ostringstream reason;
     reason << "the service '" << node->resolveName(zero_service)
            << "' says that it has zeroed the sensor, but the raw force is " << force.mean()

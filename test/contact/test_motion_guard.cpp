@@ -223,6 +223,15 @@ TEST_F(MotionGuardTest, ARobotWhoseProgramHasEndedMovesOnlyAfterItRunsAndACleari
   EXPECT_TRUE(guard_.admit(now_, motion(0.1, 1.0)));
 }
 
+// The two come on topics of their own, in any order.
+TEST_F(MotionGuardTest, TheSafetyModeTellsWhyTheProgramEnded) {
+  guard_.onProgram(false);
+  run(kPeriod);
+  guard_.onSafetyStop("a protective stop");
+  run(kPeriod);
+  EXPECT_EQ(guard_.fault(), "a protective stop");
+}
+
 TEST_F(MotionGuardTest, TheFirstFaultIsKept) {
   guard_.stop("stopped by the user");
   wrench_ = push(100.0);

@@ -49,6 +49,8 @@ class RobotTwin(unittest.TestCase):
         cls.faults = Recorder("guard/fault", String)
         cls.client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
         assert cls.client.wait_for_server(rospy.Duration(DEADLINE))
+        cls.reset_maps = rospy.ServiceProxy("reset", Trigger)
+        cls.stop = rospy.ServiceProxy("stop", Trigger)
         cls.clear = rospy.ServiceProxy("guard/clear", Trigger)
         cls.play = rospy.ServiceProxy("robot_twin/play", Trigger)
         cls.cut = rospy.ServiceProxy("robot_twin/cut_network", SetBool)
@@ -64,7 +66,7 @@ class RobotTwin(unittest.TestCase):
     def ends_with(self, words):
         self.assertIsNotNone(self.faults.wait_for(lambda m: words in m.data), "no fault")
         self.assertTrue(self.client.wait_for_result(rospy.Duration(DEADLINE)))
-        self.assertIn(words, self.client.get_result().message)
+        self.assertIn("the guard has stopped the robot", self.client.get_result().message)
         self.let_pass(ON_ITS_WAY)
 
     def let_pass(self, duration):
@@ -116,16 +118,56 @@ class RobotTwin(unittest.TestCase):
         self.assertFalse(self.clear().success, "cleared while the robot does not let it move")
         self.go_on()
 
-    def test_a_goal_after_a_cancel_in_contact_backs_off_before_anything_is_zeroed(self):
+    def send_goal(self, goal):
+        """Returns the list that its phases will be in."""
+        phases = []
+        self.client.send_goal(goal, feedback_cb=lambda message: phases.append(message.phase))
+        return phases
+
+    def forget(self):
+        """What has been touched is touched again."""
+        self.assertTrue(self.reset_maps().success)
+
+    def touch(self):
+        """Sends a goal; the first observation of its first contact. Before it moves the zeroing may be felt as one."""
+        self.forget()
+        phases = self.send_goal(RetrieveGoal())
+        self.assertTrue(wait_until(lambda: "moving" in phases), "it does not move")
         self.contacts.clear()
-        self.client.send_goal(RetrieveGoal())
         first = self.contacts.wait_for(lambda m: m.state == ContactObservation.CONTACT)
         self.assertIsNotNone(first, "it touches nothing")
+        return first
+
+    def test_a_cancel_in_contact_is_followed_by_a_way_back(self):
+        first = self.touch()
         self.client.cancel_goal()
         self.assertTrue(self.client.wait_for_result(rospy.Duration(DEADLINE)))
-        phases = []
-        feedback = lambda message: phases.append(message.phase)
-        self.client.send_goal(RetrieveGoal(max_collisions=1), feedback_cb=feedback)
+        self.contacts.clear()
+        away = lambda m: m.state == ContactObservation.FREE and distance(first, m) > HAS_BACKED_OFF
+        self.assertIsNotNone(self.contacts.wait_for(away), "it stays where it presses")
+
+    def test_a_goal_that_comes_while_it_backs_off_takes_over(self):
+        self.touch()
+        self.client.cancel_goal()
+        self.assertTrue(self.client.wait_for_result(rospy.Duration(DEADLINE)))
+        self.forget()
+        self.client.send_goal(RetrieveGoal(max_collisions=1))
+        self.assertTrue(self.client.wait_for_result(rospy.Duration(2 * DEADLINE)))
+        self.assertEqual(self.client.get_result().message, "reached the limit of 1 collisions")
+
+    def stopped_in_contact(self):
+        """Touches and stops; the contact's first observation, None where a busy processor let it retreat first."""
+        first = self.touch()
+        self.assertTrue(self.stop().success)
+        self.assertTrue(self.client.wait_for_result(rospy.Duration(DEADLINE)))
+        return first if "may still press" in self.client.get_result().message else None
+
+    def test_a_stop_in_contact_moves_nothing_and_the_next_goal_backs_off_before_it_zeroes(self):
+        stopped = []
+        self.assertTrue(wait_until(lambda: stopped.append(self.stopped_in_contact()) or stopped[-1]))
+        first = stopped[-1]
+        self.assertTrue(self.stays(), "it moves after the stop")
+        phases = self.send_goal(RetrieveGoal(max_collisions=1))
         self.assertTrue(wait_until(lambda: "planning" in phases), "no next goal")
         self.assertGreater(distance(first, self.contacts.messages()[-1]), HAS_BACKED_OFF)
         self.assertLess(math.hypot(*force(self.wrenches.messages()[-1])), CONTACT_FORCE)
@@ -155,6 +197,7 @@ class RobotTwin(unittest.TestCase):
 
     def retrieve_and_touch(self):
         self.clear()
+        self.forget()
         self.wrenches.clear()
         self.contacts.clear()
         self.client.send_goal(RetrieveGoal(max_collisions=3))

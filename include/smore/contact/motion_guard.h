@@ -64,7 +64,8 @@ class MotionGuard {
   /// Whether the robot's own program runs, without which it takes no commands; true until told.
   void onProgram(bool running);
 
-  /// Why the robot's own safety system does not let it move; empty: it does, as until told.
+  /// Why the robot's own safety system does not let it move; empty: it does, as until told. It
+  /// takes the place of the fault that the program has ended, whichever is told first.
   void onSafetyStop(const std::string& reason) { safety_stop_ = reason; }
 
   /// A contact observation of the wrench of this stamp. It needs the object's pose at the stamp: it

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "smore/retrieval/retrieval.h"
+#include "smore/ros/messages.h"
 
 namespace smore {
 
@@ -15,6 +16,9 @@ struct RetrievalSummary {
   bool cancelled = false;  ///< the user ended it
   RetrievalOutcome outcome;
 };
+
+/// The action's result.
+smore_msgs::RetrieveResult toMessage(const RetrievalOutcome& outcome);
 
 /// For people, a few lines.
 std::string toText(const RetrievalSummary& summary);

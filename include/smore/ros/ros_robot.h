@@ -43,11 +43,14 @@ class RosRobot : public Robot {
   /// missing where that does not come, else empty.
   std::string waitUntilReady();
 
-  /// Whether something touches the object and the robot knows the way that it has come.
+  /// Whether the object is not known to be free and the robot knows the way that it has come.
   bool canBackOff() const {
     const auto now = stream_.latest();
-    return now && now->state == ContactState::kContact && trail_.endsAt(now->T_world_object);
+    return now && now->state != ContactState::kFree && trail_.endsAt(now->T_world_object);
   }
+
+  /// Whether the guard lets nothing move.
+  bool faulted() const { return !guard_.fault().empty(); }
 
   Pose pose() const override;
   MotionResult follow(const Path& path) override;
