@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "guard_parameters.h"
 #include "smore/contact/contact_reflex.h"
 #include "smore/contact/motion_guard.h"
 #include "smore/kinematics/joint_commands.h"
@@ -33,31 +34,6 @@ constexpr double kWarningPeriod = 5.0;       // [s] between warnings of one kind
 // A robot that was told to stop when the node ends stands after this [s of wall time], or it does
 // not obey.
 constexpr double kLastStop = 0.3;
-
-struct GuardParameters {
-  MotionGuardParameters guard;
-  HorizonParameters horizon;
-};
-
-GuardParameters readGuardParameters(ParameterReader* reader) {
-  constexpr double kMost = 1000.0;
-  GuardParameters all;
-  MotionGuardParameters& parameters = all.guard;
-  reader->number("max_force", &parameters.max_force, {1.0, kMost});
-  reader->number("max_torque", &parameters.max_torque, {0.1, kMost});
-  reader->number("max_lateness", &parameters.max_lateness, {0.005, 10.0});
-  reader->number("max_silence", &parameters.max_silence, {0.005, 10.0});
-  reader->number("max_joint_speed", &parameters.max_joint_speed, {0.01, 10.0});
-  reader->number("start_tolerance", &parameters.start_tolerance, {0.001, 1.0});
-  reader->number("force_margin", &parameters.force_margin, {0.0, kMost});
-  reader->number("torque_margin", &parameters.torque_margin, {0.0, kMost});
-  reader->number("path_tolerance", &parameters.path_tolerance, {0.001, 1.0});
-  reader->number("stop_deceleration", &all.horizon.deceleration, {0.1, kMost});
-  if (parameters.max_silence < parameters.max_lateness) {
-    reader->error("max_silence", "is less than max_lateness; give at least as much");
-  }
-  return all;
-}
 
 /// Wall time that no setting of the clock moves [s]: a driver's silence is told by it, not by
 /// stamps.
@@ -281,8 +257,7 @@ void runGuard() {
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
   reader.finish();
-  const WrenchNoise& noise = scenario->wrench_noise;
-  parameters.guard.wrench_varies = noise.force_stddev > 0.0 || noise.torque_stddev > 0.0;
+  fitToSensor(*scenario, &parameters);
   GuardNode(parameters, makeJointCommands(*scenario)->jointNames()).run();
 }
 

@@ -53,6 +53,7 @@ class RobotTwin {
         driver_(makeSimulatedDriver(scenario, FrameNames())),
         controller_(robot_->jointNames(), robot_->jointPositions(), parameters.stop_duration),
         random_(parameters.seed),
+        slider_(parameters.slider),
         latency_(parameters.latency_min, parameters.latency_max) {
     node_.setCallbackQueue(&queue_);
     private_node_.setCallbackQueue(&queue_);
@@ -258,11 +259,11 @@ class RobotTwin {
   std::unique_ptr<SimulatedDriver> driver_;
   TrajectoryController controller_;
   std::mt19937_64 random_;
+  double slider_;  ///< share of full speed, 0 to 1
   std::uniform_real_distribution<double> latency_;
   DelayLine<JointTrajectory> commands_;
   DelayLine<DriverSample> samples_;
   DriverSample last_;
-  double slider_ = 1.0;
   bool cut_off_ = false;
   DelayedZero zero_;
   ros::CallbackQueue queue_;

@@ -13,6 +13,7 @@ TwinParameters readTwinParameters(ParameterReader* reader) {
   reader->number("latency_min", &parameters.latency_min, {0.0, 1.0});
   reader->number("latency_max", &parameters.latency_max, {0.0, 1.0});
   reader->number("stamp_jitter", &parameters.stamp_jitter, {0.0, 0.1});
+  reader->number("slider", &parameters.slider, {0.0, 1.0});
   reader->number("zero_delay", &parameters.zero_delay, {0.0, 10.0});
   if (parameters.latency_max < parameters.latency_min) {
     reader->error("latency_max", "is less than latency_min; give at least as much");

@@ -13,6 +13,7 @@ struct TwinParameters {
   double latency_min = 0.002;  ///< of each way [s]
   double latency_max = 0.002;  ///< [s]
   double stamp_jitter = 0.0;   ///< standard deviation [s]
+  double slider = 1.0;         ///< of the robot's speed at the start, 0 to 1
   double zero_delay = 0.2;     ///< [s]; the zero is the mean over it
 };
 

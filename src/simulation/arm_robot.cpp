@@ -15,9 +15,6 @@ constexpr int kSubstepsPerSample = 2;  // 500 Hz
 // A joint this far from where it should be cannot follow: its effort does not suffice [rad].
 constexpr double kGreatestTrackingError = 0.02;
 
-// The range of the UR5e's sensor.
-constexpr WrenchRange kSensorRange{50.0, 10.0};  // [N], [N m]
-
 JointVector configurationAt(const ArmMotion& motion, const Pose& T_world_object) {
   const auto q = motion.configurationFor(T_world_object);
   if (!q) throw InputError(q.reason() + "; move the pose or the arm's base (robot_base)");
@@ -33,8 +30,8 @@ ArmRobot::ArmRobot(const Scenario& scenario, const UrdfModel& urdf, std::uint64_
             scenario.start * motion_.T_tool_object().inverse(), kStep),
       arm_(scenario, urdf, motion_.model().frames(), load_.body(), kStep),
       joints_(arm_.arm().jointNames(), std::vector<double>(kArmJoints, 0.0)),
-      sensor_(scenario.wrench_noise, kSubstepsPerSample * kStep, seed, kSensorRange,
-              sensor_cutoff) {
+      sensor_(scenario.wrench_noise, kSubstepsPerSample * kStep, seed,
+              wristSensorRange(scenario.robot), sensor_cutoff) {
   (void)configurationAt(motion_, scenario.goal);
   place(scenario.start);
 }

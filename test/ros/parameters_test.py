@@ -67,10 +67,10 @@ class Parameters(unittest.TestCase):
 
     def test_the_guard_tells_all_problems_together(self):
         parameters = shipped("guard")
-        del parameters["max_torque"]
+        del parameters["max_silence"]
         parameters["max_force"] = -1.0
         parameters["colour"] = "blue"
-        self.refused("guard", parameters, "max_torque: missing", "max_force", "colour: unknown key")
+        self.refused("guard", parameters, "max_silence: missing", "max_force", "colour: unknown key")
 
     def test_scenarios_that_cannot_be_read_are_named(self):
         for node in NODES:

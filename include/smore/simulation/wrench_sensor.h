@@ -7,15 +7,10 @@
 #include <random>
 
 #include "smore/common/geometry.h"
+#include "smore/kinematics/wrist_sensor.h"
 #include "smore/scenario/scenario.h"
 
 namespace smore {
-
-/// What a sensor can measure on each axis, in plus and minus.
-struct WrenchRange {
-  double force = std::numeric_limits<double>::infinity();   ///< [N], positive
-  double torque = std::numeric_limits<double>::infinity();  ///< [N m], positive
-};
 
 constexpr double kNoLowPass = std::numeric_limits<double>::infinity();  ///< a cutoff [Hz]
 

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "guard_parameters.h"
+
+#include <algorithm>
+
+#include "smore/kinematics/wrist_sensor.h"
+
+namespace smore {
+
+GuardParameters readGuardParameters(ParameterReader* reader) {
+  constexpr double kMost = 1000.0;
+  GuardParameters all;
+  MotionGuardParameters& parameters = all.guard;
+  all.sets_force = reader->has("max_force");
+  all.sets_torque = reader->has("max_torque");
+  if (all.sets_force) reader->number("max_force", &parameters.max_force, {1.0, kMost});
+  if (all.sets_torque) reader->number("max_torque", &parameters.max_torque, {0.1, kMost});
+  reader->number("max_lateness", &parameters.max_lateness, {0.005, 10.0});
+  reader->number("max_silence", &parameters.max_silence, {0.005, 10.0});
+  reader->number("max_joint_speed", &parameters.max_joint_speed, {0.01, 10.0});
+  reader->number("start_tolerance", &parameters.start_tolerance, {0.001, 1.0});
+  reader->number("force_margin", &parameters.force_margin, {0.0, kMost});
+  reader->number("torque_margin", &parameters.torque_margin, {0.0, kMost});
+  reader->number("path_tolerance", &parameters.path_tolerance, {0.001, 1.0});
+  reader->number("stop_deceleration", &all.horizon.deceleration, {0.1, kMost});
+  if (parameters.max_silence < parameters.max_lateness) {
+    reader->error("max_silence", "is less than max_lateness; give at least as much");
+  }
+  return all;
+}
+
+void fitToSensor(const Scenario& scenario, GuardParameters* parameters) {
+  constexpr double kShare = 0.8;
+  MotionGuardParameters& guard = parameters->guard;
+  const WrenchNoise& noise = scenario.wrench_noise;
+  guard.wrench_varies = noise.force_stddev > 0.0 || noise.torque_stddev > 0.0;
+  const WrenchRange range = wristSensorRange(scenario.robot);
+  if (!parameters->sets_force) guard.max_force = std::min(guard.max_force, kShare * range.force);
+  if (!parameters->sets_torque) {
+    guard.max_torque = std::min(guard.max_torque, kShare * range.torque);
+  }
+}
+
+}  // namespace smore
