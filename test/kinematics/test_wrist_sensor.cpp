@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smore/kinematics/wrist_sensor.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "smore/kinematics/wrist_sensor.h"
 
 namespace smore {
 namespace {
