@@ -99,7 +99,7 @@ std::string zeroSensor(ros::NodeHandle* node, const std::string& zero_service, d
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
   bool zeroed = false;
   while (!zeroed && ros::ok() && !given_up() && ros::WallTime::now() < deadline) {
-    const std::string problem = callTrigger(node, zero_service, timeout, given_up);
+    std::string problem = callTrigger(node, zero_service, timeout, given_up);
     if (!problem.empty()) return problem;
     zeroed = force.comesToZero(std::min(kPatience, timeout), given_up);
   }
