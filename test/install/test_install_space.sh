@@ -30,13 +30,14 @@ rosmsg show smore/ContactObservation >/dev/null || fail "rosmsg does not know sm
 /usr/bin/python3 -c "import smore.msg, smore.srv; assert smore.__file__.startswith('$prefix')" ||
   fail "Python takes the messages from elsewhere"
 
-cmake -S "$source/test/install/consumer" -B "$scratch/consumer" >"$scratch/consumer.log" &&
+generator=$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$build/CMakeCache.txt") # what this system has
+cmake -G "$generator" -S "$source/test/install/consumer" -B "$scratch/consumer" >"$scratch/consumer.log" &&
   cmake --build "$scratch/consumer" >>"$scratch/consumer.log" 2>&1 || fail "$(cat "$scratch/consumer.log")"
 "$scratch/consumer/consumer" >"$scratch/scenarios" || fail "a program that uses the libraries ends with an error"
 [ "$(cat "$scratch/scenarios")" = "$prefix/share/smore/config/scenarios" ] ||
   fail "the libraries read the scenarios of $(cat "$scratch/scenarios")"
 
-cmake -S "$source/examples" -B "$scratch/examples" >"$scratch/examples.log" &&
+cmake -G "$generator" -S "$source/examples" -B "$scratch/examples" >"$scratch/examples.log" &&
   cmake --build "$scratch/examples" >>"$scratch/examples.log" 2>&1 || fail "$(cat "$scratch/examples.log")"
 "$prefix/lib/smore/smore_experiment" --scenario one_peg --trials 1 --seed 1 --record "$scratch/evidence" \
   --output "$scratch/trial.json" >"$scratch/trial.log" 2>&1 || fail "$(cat "$scratch/trial.log")"
