@@ -10,6 +10,7 @@
 #include "smore/experiment/map_files.h"
 #include "smore/experiment/touchable_surface.h"
 #include "smore/experiment/trial_recording.h"
+#include "smore/mapping/prior_maps.h"
 #include "smore/retrieval/reconstruction.h"
 #include "smore/retrieval/retrieval.h"
 #include "smore/simulation/simulated_robot.h"
@@ -90,12 +91,13 @@ TrialResult resultOf(const RetrievalOutcome& outcome, const Scenario& scene, con
 std::unique_ptr<TrialRecording> startRecording(const Scenario& scenario,
                                                const ExperimentParameters& parameters,
                                                std::uint64_t seed, const Scenario& scene,
+                                               const Priors& priors,
                                                const SimulatedRobot& simulated) {
   if (parameters.record_directory.empty()) return nullptr;
   return std::make_unique<TrialRecording>(
       evidenceFile(parameters.record_directory, seed),
-      EvidenceSource{scenario, parameters.method, parameters.method_parameters, seed}, scene,
-      &simulated);
+      EvidenceSource{scenario, parameters.method, parameters.method_parameters, seed, priors},
+      scene, &simulated);
 }
 
 void saveTrialMaps(const TwinMap& maps, const ExperimentParameters& parameters,
@@ -112,11 +114,13 @@ TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& param
   const auto begin = SteadyClock::now();
   const Scenario scene = perturbScenario(scenario, seed);
   const auto simulated = makeSimulatedRobot(scene, seed);
-  Method method = makeMethod(parameters.method, scenario, seed, parameters.method_parameters);
+  const Priors priors = makePriors(scene);
+  Method method =
+      makeMethod(parameters.method, scenario, seed, parameters.method_parameters, priors);
   if (parameters.random_touches) {
     method.touches = std::make_unique<RandomTouches>(scenario.motionSpace(), seed);
   }
-  const auto recording = startRecording(scenario, parameters, seed, scene, *simulated);
+  const auto recording = startRecording(scenario, parameters, seed, scene, priors, *simulated);
   InProcessRobot robot(simulated.get(), sensingParameters(scene), seed,
                        [&](const ContactObservation& observation) {
                          if (recording) recording->observe(observation);

@@ -54,7 +54,8 @@ void rebuild(Evidence evidence, const RebuildChanges& changes, const std::string
   EvidenceSource& source = evidence.source;
   source.method = changes.method.value_or(source.method);
   source.task.voxel_size = changes.voxel_size.value_or(source.task.voxel_size);
-  Method method = makeMethod(source.method, source.task, source.seed, source.parameters);
+  Method method =
+      makeMethod(source.method, source.task, source.seed, source.parameters, source.priors);
   replay(evidence, &method);
   saveMaps(*method.maps, directory);
   const std::string file = directory + "/summary.json";

@@ -16,6 +16,7 @@
 #include "smore/experiment/experiment.h"
 #include "smore/experiment/output_paths.h"
 #include "smore/experiment/progress_display.h"
+#include "smore/mapping/prior_maps.h"
 #include "smore/scenario/scenario_files.h"
 #include "smore/scenario/scenario_json.h"
 #include "smore/simulation/simulated_robot.h"
@@ -127,6 +128,16 @@ int exitCode(const std::vector<smore::TrialResult>& trials) {
   return smore::kInternalError;
 }
 
+// What is wrong with them is told before the first trial.
+void checkPriors(const smore::Scenario& scenario, const Arguments& arguments) {
+  if (scenario.prior.empty()) return;
+  if (arguments.parameters.method != smore::MethodKind::kSmore) {
+    throw smore::InputError("scenario " + scenario.name + ": prior: the method " +
+                            arguments.method + " cannot use what is known beforehand; use smore");
+  }
+  (void)smore::makePriors(scenario);
+}
+
 int run(Arguments arguments) {
   arguments.parameters.method = smore::methodKind(arguments.method);
   if (!arguments.method_parameters.empty() && arguments.method != "smore") {
@@ -145,6 +156,7 @@ int run(Arguments arguments) {
   if (!for_real_robots) {
     (void)smore::makeSimulatedRobot(scenario, arguments.parameters.seed);  // refuses what cannot be
   }
+  checkPriors(scenario, arguments);
   if (arguments.validate) {
     const bool told =
         arguments.output.empty() || writeFile(smore::toJson(scenario), arguments.output);

@@ -9,7 +9,7 @@ JointBeliefParameters inMetres(JointBeliefParameters parameters, double unit) {
         &parameters.feature.decay, &parameters.free_space.position_cell,
         &parameters.distribution.object.scale, &parameters.distribution.world.scale,
         &parameters.extent.shortest, &parameters.extent.object_longest,
-        &parameters.extent.world_longest}) {
+        &parameters.extent.world_longest, &parameters.prior.scale}) {
     *length *= unit;
   }
   return parameters;

@@ -34,15 +34,27 @@ void EvidenceAtUnit::removeContact(std::uint64_t id) {
   contacts_.erase(found);
 }
 
-std::vector<Explanation> EvidenceAtUnit::explain(const std::vector<int>& members,
-                                                 std::uint64_t seed) const {
-  const std::vector<Explanation> drawn =
-      JointDistribution(contacts_, free_, parameters_.distribution).sample(kHypotheses, seed);
-  std::vector<Explanation> explanations(kHypotheses, Explanation(contacts_.size(), kFalseContact));
+ExplainedEvidence EvidenceAtUnit::explain(const std::vector<KnownMatter>& known,
+                                          const std::vector<int>& members,
+                                          std::uint64_t seed) const {
+  ExplainedEvidence result;
+  PriorEvidence& prior = result.prior.evidence;
+  prior = PriorEvidence(known, contacts_, free_, parameters_.prior, parameters_.feature,
+                        frame_.planar());
+  const std::vector<JointSample> drawn =
+      JointDistribution(contacts_, free_, prior, parameters_.distribution)
+          .sample(kHypotheses, seed);
+  result.explanations.assign(kHypotheses, Explanation(contacts_.size(), kFalseContact));
+  result.prior.worlds.assign(known.size(), 0);
   for (std::size_t i = 0; i < members.size(); ++i) {
-    explanations[members[i]] = drawn[i * drawn.size() / members.size()];  // evenly
+    const JointSample& sample = drawn[i * drawn.size() / members.size()];  // evenly
+    result.explanations[members[i]] = sample.places;
+    for (std::size_t piece = 0; piece < known.size(); ++piece) {
+      if (((sample.believed >> piece) & 1U) == 0) continue;
+      result.prior.worlds[piece] |= HypothesisMask{1} << members[i];
+    }
   }
-  return explanations;
+  return result;
 }
 
 HypothesisWeights::Weights EvidenceAtUnit::weightsOf(

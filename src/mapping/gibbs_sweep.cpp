@@ -39,12 +39,15 @@ bool areZero(const float* kernels) {
 }  // namespace
 
 GibbsSweep::GibbsSweep(const std::vector<ContactHypotheses>& contacts,
-                       const FreeSpaceEvidence& evidence, const DistributionParameters& parameters,
-                       std::vector<SweptChain> chains, double heat)
+                       const FreeSpaceEvidence& evidence, const PriorEvidence& prior,
+                       const DistributionParameters& parameters, std::vector<SweptChain> chains,
+                       double heat)
     : contacts_(contacts),
       evidence_(evidence),
+      prior_(prior),
       parameters_(parameters),
       chains_(std::move(chains)),
+      heat_(heat),
       exponent_(static_cast<float>(heat * parameters.exponent)),
       cost_(static_cast<float>(heat * parameters.conflict_cost)),
       attractions_(chains_.size()),
@@ -54,6 +57,17 @@ GibbsSweep::GibbsSweep(const std::vector<ContactHypotheses>& contacts,
 
 void GibbsSweep::run(const std::vector<int>& order) {
   for (const int contact : order) visit(contact);
+  for (int piece = 0; piece < prior_.count(); ++piece) {
+    for (const SweptChain& swept : chains_) judge(piece, swept);
+  }
+}
+
+void GibbsSweep::judge(int piece, const SweptChain& swept) const {
+  const KnownMatter& known = prior_.known(piece);
+  const double log_odds = known.logOdds() + heat_ * swept.chain->bindingOf(piece);
+  const double probability = 1.0 / (1.0 + std::exp(-log_odds));
+  CounterRandom random(mixBits(known.id(), ~swept.seed));
+  swept.chain->believe(piece, random.uniform() < probability);
 }
 
 void GibbsSweep::visit(int contact) {
@@ -64,21 +78,25 @@ void GibbsSweep::visit(int contact) {
     attractions_[c].exponent.fill(0);
   }
   if (exponent_ > 0.0F) {
-    attract(contact, &GibbsChain::object, touched.object, touched.object_normal);
-    attract(contact, &GibbsChain::world, touched.world, touched.world_normal);
+    attract(contact, MapSide::kObject, touched.object, touched.object_normal);
+    attract(contact, MapSide::kWorld, touched.world, touched.world_normal);
   }
   for (std::size_t c = 0; c < chains_.size(); ++c) {
     chains_[c].chain->add(contact, draw(contact, chains_[c], attractions_[c]));
   }
 }
 
-void GibbsSweep::attract(int contact, SideOf side_of, const PointArray& places,
+void GibbsSweep::attract(int contact, MapSide side, const PointArray& places,
                          const PointArray& normals) {
   if (chains_.empty()) return;
+  const SideOf side_of = side == MapSide::kObject ? &GibbsChain::object : &GibbsChain::world;
   const int count = contacts_[contact].count;
   const float base = (chains_.front().chain->*side_of)().base;
   const int most_factors = factorsPerLog(base);
-  for (Attraction& attraction : attractions_) attraction.sum.fill(0.0F);
+  for (std::size_t c = 0; c < chains_.size(); ++c) {
+    attractions_[c].sum.fill(0.0F);
+    prior_.addPulls(side, contact, chains_[c].chain->believed(), attractions_[c].sum.data());
+  }
   int factors = 0;
   for (std::size_t other = 0; other < contacts_.size(); ++other) {
     if (static_cast<int>(other) == contact) continue;
@@ -224,6 +242,7 @@ SMORE_WIDE_VECTORS void GibbsSweep::countConflicts(int contact, const GibbsChain
   const int count = contacts_[contact].count;
   const auto counted = counts.counts();
   std::copy(counted.begin(), counted.begin() + count, conflicts->begin());
+  prior_.addConflicts(contact, chain.believed(), conflicts->data());
   const ConflictTable* own = evidence_.conflicts(contact, contact);
   if (own == nullptr) return;
   for (int i = 0; i < count; ++i) {

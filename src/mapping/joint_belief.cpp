@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 #include "smore/common/elapsed_time.h"
+#include "smore/common/result.h"
 #include "smore/mapping/contact_merging.h"
 #include "smore/mapping/free_tracks.h"
 #include "smore/mapping/marginal_map.h"
@@ -100,7 +102,7 @@ void JointBelief::mergeContacts() {
   std::iota(members.begin(), members.end(), 0);
   std::vector<std::uint64_t> merged;
   for (const int contact : coveredContacts(
-           evidence.contacts(), evidence.explain(members, parameters_.seed),
+           evidence.contacts(), evidence.explain(known_, members, parameters_.seed).explanations,
            evidence.parameters().distribution, parameters_.most_contacts / kMergedShare)) {
     merged.push_back(evidence.contacts()[contact].id);
   }
@@ -136,6 +138,22 @@ void JointBelief::reset() {
   change();
 }
 
+void JointBelief::know(MapSide side, const Prior& prior) {
+  const Pose T_frame_grid = side == MapSide::kWorld ? frame_.T_map_world() : Pose::Identity();
+  KnownMatter known(side, prior, T_frame_grid, frame_.planar());
+  // By their ids: the order in which they are told leaves no trace.
+  const auto place =
+      std::lower_bound(known_.begin(), known_.end(), known.id(),
+                       [](const KnownMatter& piece, std::uint64_t id) { return piece.id() < id; });
+  if (place != known_.end() && place->id() == known.id()) return;
+  if (known_.size() == kMostPriors) {
+    throw InputError("more than " + std::to_string(kMostPriors) +
+                     " pieces of prior knowledge; put some of them together");
+  }
+  known_.insert(place, std::move(known));
+  change();
+}
+
 std::shared_ptr<const Worlds> JointBelief::worlds() const {
   const std::lock_guard<std::mutex> lock(*inferring_);
   if (!worlds_) worlds_ = std::make_shared<const Worlds>(infer());
@@ -145,11 +163,25 @@ std::shared_ptr<const Worlds> JointBelief::worlds() const {
 std::array<int, kUnits> JointBelief::worldsByUnit() const {
   std::array<int, kUnits> all_alike{};
   all_alike[parameters_.unit > 0.0 ? 0 : kUnits / 2] = kHypotheses;
-  if (parameters_.unit > 0.0 || levers_.empty()) return all_alike;
+  const std::vector<LeverOfContact> known = leversOfKnownObject();
+  if (parameters_.unit > 0.0 || (levers_.empty() && known.empty())) return all_alike;
   std::vector<LeverOfContact> levers;
   levers.reserve(levers_.size());
   for (const auto& entry : levers_) levers.push_back(entry.second);
-  return worldsOfUnits(unitProbabilities(levers, frame_.planar()), kHypotheses, kStrata);
+  return worldsOfUnits(unitProbabilities(levers, frame_.planar(), known), kHypotheses, kStrata);
+}
+
+// Of contacts with its surface, square to it.
+std::vector<LeverOfContact> JointBelief::leversOfKnownObject() const {
+  std::vector<LeverOfContact> levers;
+  for (const KnownMatter& known : known_) {
+    if (known.side() != MapSide::kObject) continue;
+    for (const KnownMatter::SurfacePoint& point : known.surface()) {
+      const Eigen::Vector3f across = point.place - point.place.dot(point.inward) * point.inward;
+      levers.push_back({across.norm(), 0.0, Vec3::Zero()});
+    }
+  }
+  return levers;
 }
 
 // Made anew from all observations where the unit has become likely.
@@ -172,10 +204,10 @@ Worlds JointBelief::infer() const {
   SampledWorlds sampled = sampledWorlds(counts, &touched);
   const auto likeliest = std::max_element(counts.begin(), counts.end()) - counts.begin();
   const EvidenceAtUnit& main = atUnit(static_cast<int>(likeliest));
-  VoxelGrid world = marginalMap(sampled, &WorldsAtUnit::world, frame_.T_map_world().inverse(),
-                                parameters_.voxel_size);
+  VoxelGrid world =
+      marginalMap(sampled, MapSide::kWorld, frame_.T_map_world().inverse(), parameters_.voxel_size);
   VoxelGrid object =
-      marginalMap(sampled, &WorldsAtUnit::object, Pose::Identity(), parameters_.voxel_size);
+      marginalMap(sampled, MapSide::kObject, Pose::Identity(), parameters_.voxel_size);
   const double unit = meanUnit(counts);
   return {frame_,
           unit,
@@ -218,25 +250,26 @@ SampledWorlds JointBelief::sampledWorlds(const std::array<int, kUnits>& counts,
       members.push_back(scattered(place));
     }
     const EvidenceAtUnit& evidence = atUnit(i);
-    const std::vector<Explanation> explanations = evidence.explain(members, parameters_.seed);
-    const HypothesisWeights::Weights likely = evidence.weightsOf(explanations);
+    const ExplainedEvidence explained = evidence.explain(known_, members, parameters_.seed);
+    const HypothesisWeights::Weights likely = evidence.weightsOf(explained.explanations);
     for (const int m : members) {
       weights[m] = likely[m];
-      evidence.tellPlaces(explanations[m], m, touched);
+      evidence.tellPlaces(explained.explanations[m], m, touched);
     }
-    parts.push_back(worldsAt(evidence, explanations, members));
+    parts.push_back(worldsAt(evidence, explained, members));
   }
   return SampledWorlds(std::move(parts), HypothesisWeights(weights));
 }
 
 WorldsAtUnit JointBelief::worldsAt(const EvidenceAtUnit& evidence,
-                                   const std::vector<Explanation>& explanations,
+                                   const ExplainedEvidence& explained,
                                    const std::vector<int>& members) const {
   const JointBeliefParameters& lengths = evidence.parameters();
   HypothesisMask mask = 0;
   for (const int m : members) mask |= HypothesisMask{1} << m;
-  WorldsAtUnit worlds({evidence.contacts(), evidence.free(), explanations, mask}, lengths.feature,
-                      lengths.extent, frame_.planar(), parameters_.seed);
+  WorldsAtUnit worlds(
+      {evidence.contacts(), evidence.free(), explained.explanations, mask, explained.prior},
+      lengths.feature, lengths.extent, frame_.planar(), parameters_.seed);
   for (const auto& [contact_id, touched] : poses_without_line_) {
     if (!touched) continue;
     worlds.setTouching(touched->T_map_object.cast<float>(), lengths.feature.reach);

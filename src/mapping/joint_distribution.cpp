@@ -9,9 +9,9 @@
 namespace smore {
 
 JointDistribution::JointDistribution(const std::vector<ContactHypotheses>& contacts,
-                                     const FreeSpaceEvidence& evidence,
+                                     const FreeSpaceEvidence& evidence, const PriorEvidence& prior,
                                      const DistributionParameters& parameters)
-    : contacts_(&contacts), evidence_(&evidence), parameters_(parameters) {}
+    : contacts_(&contacts), evidence_(&evidence), prior_(&prior), parameters_(parameters) {}
 
 namespace {
 
@@ -32,14 +32,27 @@ float kernelOf(const AttractionKernel& kernel, const Side& a, int i, const Side&
 Side objectOf(const ContactHypotheses& contact) { return {contact.object, contact.object_normal}; }
 Side worldOf(const ContactHypotheses& contact) { return {contact.world, contact.world_normal}; }
 
+// Of the pieces of prior knowledge by themselves: their odds, and what they say of one another.
+double logDensityOf(const PriorEvidence& prior, PriorMask believed, double conflict_cost) {
+  double log_density = 0.0;
+  for (int piece = 0; piece < prior.count(); ++piece) {
+    const PriorMask bit = PriorMask{1} << piece;
+    if ((believed & bit) == 0) continue;
+    const PriorMask before = believed & (bit - 1);  // each pair once
+    log_density += prior.known(piece).logOdds() - conflict_cost * prior.conflictsOf(piece, before);
+  }
+  return log_density;
+}
+
 }  // namespace
 
-double JointDistribution::logDensity(const Explanation& explanation) const {
+double JointDistribution::logDensity(const JointSample& sample) const {
+  const Explanation& explanation = sample.places;
   const auto& contacts = *contacts_;
   const int count = static_cast<int>(contacts.size());
   const AttractionKernel on_object(parameters_.object);
   const AttractionKernel in_world(parameters_.world);
-  double log_density = 0.0;
+  double log_density = logDensityOf(*prior_, sample.believed, parameters_.conflict_cost);
   for (int k = 0; k < count; ++k) {
     const int i = explanation[k];
     if (i == kFalseContact) {
@@ -47,8 +60,9 @@ double JointDistribution::logDensity(const Explanation& explanation) const {
       continue;
     }
     log_density += contacts[k].log_prior[i] + std::log1p(-parameters_.false_contact);
-    double object = 0.0;
-    double world = 0.0;
+    log_density -= parameters_.conflict_cost * prior_->conflicts(k, i, sample.believed);
+    double object = prior_->pull(MapSide::kObject, k, i, sample.believed);
+    double world = prior_->pull(MapSide::kWorld, k, i, sample.believed);
     for (int l = 0; l < count; ++l) {
       const int j = explanation[l];
       if (j == kFalseContact) continue;
@@ -64,8 +78,8 @@ double JointDistribution::logDensity(const Explanation& explanation) const {
   return log_density;
 }
 
-std::vector<Explanation> JointDistribution::sample(int count, std::uint64_t seed) const {
-  TemperedPopulation population(*contacts_, *evidence_, parameters_, count, seed);
+std::vector<JointSample> JointDistribution::sample(int count, std::uint64_t seed) const {
+  TemperedPopulation population(*contacts_, *evidence_, *prior_, parameters_, count, seed);
   return population.run();
 }
 

@@ -56,14 +56,19 @@ class MaskedVoxels {
 
 }  // namespace
 
-VoxelGrid marginalMap(const SampledWorlds& worlds, MatterOfWorlds matter, const Pose& T_grid_matter,
+VoxelGrid marginalMap(const SampledWorlds& worlds, MapSide side, const Pose& T_grid_matter,
                       double voxel_size) {
   VoxelGrid grid(voxel_size);
   MaskedVoxels voxels(&grid);
-  for (const WorldsAtUnit& part : worlds.parts()) {
-    for (const MaskedPoint& ball : (part.*matter)()) {
-      voxels.addBall(T_grid_matter * ball.point.cast<double>(), part.radius(), ball.mask);
+  const bool of_object = side == MapSide::kObject;
+  const auto add = [&](const std::vector<MaskedPoint>& balls, double radius) {
+    for (const MaskedPoint& ball : balls) {
+      voxels.addBall(T_grid_matter * ball.point.cast<double>(), radius, ball.mask);
     }
+  };
+  for (const WorldsAtUnit& part : worlds.parts()) {
+    add(of_object ? part.object() : part.world(), part.radius());
+    add(of_object ? part.knownObject() : part.knownWorld(), part.knownRadius());
   }
   voxels.store(worlds);
   return grid;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/mapping/surface_extents.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -38,8 +39,8 @@ SurfaceExtents::SurfaceExtents(const WorldSamples& samples, const FeatureParamet
       object_(latticeCell(feature)),
       world_(latticeCell(feature)) {
   addTouches();
-  grow(Side::kObject);
-  grow(Side::kWorld);
+  grow(MapSide::kObject);
+  grow(MapSide::kWorld);
 }
 
 void SurfaceExtents::addTouches() {
@@ -48,30 +49,36 @@ void SurfaceExtents::addTouches() {
     for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
       const int place = samples_.explanations[m][k];
       if (place == kFalseContact) continue;
-      object_.add(samples_.contacts[k].object.at(place), bit);
-      world_.add(samples_.contacts[k].world.at(place), bit);
+      const auto isKnown = [&](MapSide side) {
+        const int contact = static_cast<int>(k);
+        const PriorMask covering = samples_.prior.evidence.covering(side, contact, place);
+        return (samples_.prior.worldsOf(covering) & bit) != 0;
+      };
+      if (!isKnown(MapSide::kObject)) object_.add(samples_.contacts[k].object.at(place), bit);
+      if (!isKnown(MapSide::kWorld)) world_.add(samples_.contacts[k].world.at(place), bit);
     }
   }
 }
 
 // Each hypothesis by itself, on all processor cores; what comes out does not depend on how many
 // there are.
-void SurfaceExtents::grow(Side side) {
-  const ForbiddenMatter forbidden = forbiddenFor(side);
+void SurfaceExtents::grow(MapSide side) {
+  const std::vector<ForbiddenMatter> forbidden = forbiddenFor(side);
   std::array<std::vector<Eigen::Vector3f>, kHypotheses> grown;
   parallelFor(kHypotheses, [&](std::size_t i) {
     const int m = static_cast<int>(i);
     const MatterAllowed allowed = allowedFor(side, m, forbidden);
     grown[m] = joinsTouches(side) ? joined(m, allowed) : patches(side, m, allowed);
   });
-  MaskedPoints& matter = side == Side::kObject ? object_ : world_;
+  MaskedPoints& matter = side == MapSide::kObject ? object_ : world_;
   for (int m = 0; m < kHypotheses; ++m) {
     for (const Eigen::Vector3f& point : grown[m]) matter.add(point, HypothesisMask{1} << m);
   }
 }
 
-ForbiddenMatter SurfaceExtents::forbiddenFor(Side side) const {
-  const bool on_object = side == Side::kObject;
+// By touched matter of the other side, and by what is known of it beforehand.
+std::vector<ForbiddenMatter> SurfaceExtents::forbiddenFor(MapSide side) const {
+  const bool on_object = side == MapSide::kObject;
   std::vector<Eigen::Isometry3f> poses = samples_.evidence.poses();
   if (on_object) {
     for (Eigen::Isometry3f& T : poses) T = T.inverse();
@@ -80,33 +87,45 @@ ForbiddenMatter SurfaceExtents::forbiddenFor(Side side) const {
   // What joins touches lies between them; what forbids it may lie as far beside as balls touch.
   const float margin = joinsTouches(side) ? distance : static_cast<float>(longestRadius(side));
   const MaskedPoints& matter = on_object ? object_ : world_;
-  return {on_object ? world_.points() : object_.points(),
-          poses,
-          boxAround(matter.points(), margin),
-          distance,
-          latticeCell(feature_),
-          planar_};
+  const float cell = latticeCell(feature_);
+  const Eigen::AlignedBox3f region = boxAround(matter.points(), margin);
+  std::vector<ForbiddenMatter> forbidden;
+  forbidden.emplace_back(on_object ? world_.points() : object_.points(), poses, region, distance,
+                         cell, planar_);
+  const std::vector<MaskedPoint> known =
+      samples_.prior.balls(on_object ? MapSide::kWorld : MapSide::kObject);
+  if (!known.empty()) {
+    forbidden.emplace_back(known, poses, region, static_cast<float>(knownDistance(feature_)), cell,
+                           planar_);
+  }
+  return forbidden;
 }
 
-MatterAllowed SurfaceExtents::allowedFor(Side side, int hypothesis,
-                                         const ForbiddenMatter& forbidden) const {
+MatterAllowed SurfaceExtents::allowedFor(MapSide side, int hypothesis,
+                                         const std::vector<ForbiddenMatter>& forbidden) const {
   const HypothesisMask bit = HypothesisMask{1} << hypothesis;
-  const bool on_object = side == Side::kObject;
+  const bool on_object = side == MapSide::kObject;
   const auto reach = static_cast<float>(feature_.reach);
-  return [&forbidden, bit, on_object, reach](const Eigen::Vector3f& point) {
-    return (!on_object || point.norm() <= reach) && (forbidden.at(point) & bit) == 0;
+  return [this, &forbidden, side, bit, on_object, reach](const Eigen::Vector3f& point) {
+    if (on_object && point.norm() > reach) return false;
+    if ((samples_.prior.knowing(side, point) & bit) != 0) return false;
+    return std::all_of(forbidden.begin(), forbidden.end(), [&](const ForbiddenMatter& matter) {
+      return (matter.at(point) & bit) == 0;
+    });
   };
 }
 
-bool SurfaceExtents::joinsTouches(Side side) const { return side == Side::kObject && !planar_; }
-
-double SurfaceExtents::longestRadius(Side side) const {
-  return side == Side::kObject ? extent_.object_longest : extent_.world_longest;
+bool SurfaceExtents::joinsTouches(MapSide side) const {
+  return side == MapSide::kObject && !planar_;
 }
 
-std::vector<Eigen::Vector3f> SurfaceExtents::patches(Side side, int hypothesis,
+double SurfaceExtents::longestRadius(MapSide side) const {
+  return side == MapSide::kObject ? extent_.object_longest : extent_.world_longest;
+}
+
+std::vector<Eigen::Vector3f> SurfaceExtents::patches(MapSide side, int hypothesis,
                                                      const MatterAllowed& allowed) const {
-  const bool on_object = side == Side::kObject;
+  const bool on_object = side == MapSide::kObject;
   SurfacePatch patch;
   patch.step =
       static_cast<float>((planar_ ? kPlanarStep : kSpatialStep) * feature_.conflictDistance());

@@ -43,15 +43,17 @@ double effectiveShare(const std::vector<double>& weights) {
 
 TemperedPopulation::TemperedPopulation(const std::vector<ContactHypotheses>& contacts,
                                        const FreeSpaceEvidence& evidence,
+                                       const PriorEvidence& prior,
                                        const DistributionParameters& parameters, int count,
                                        std::uint64_t seed)
     : contacts_(contacts),
       evidence_(evidence),
+      prior_(prior),
       parameters_(parameters),
       seed_(seed),
-      chains_(count, GibbsChain(contacts, evidence, parameters)) {}
+      chains_(count, GibbsChain(contacts, evidence, prior, parameters)) {}
 
-std::vector<Explanation> TemperedPopulation::run() {
+std::vector<JointSample> TemperedPopulation::run() {
   sweep(0.0, mixBits(seed_, 0));
   std::uint64_t sweeps = 0;
   for (double heat = 0.0; heat < 1.0;) {
@@ -63,9 +65,11 @@ std::vector<Explanation> TemperedPopulation::run() {
     sweep(heat, mixBits(seed_, sweeps));
   }
   for (int i = 0; i < parameters_.sweeps; ++i) sweep(1.0, mixBits(seed_, ++sweeps));
-  std::vector<Explanation> explanations;
-  for (const GibbsChain& chain : chains_) explanations.push_back(chain.explanation());
-  return explanations;
+  std::vector<JointSample> samples;
+  for (const GibbsChain& chain : chains_) {
+    samples.push_back({chain.explanation(), chain.believed()});
+  }
+  return samples;
 }
 
 void TemperedPopulation::sweep(double heat, std::uint64_t seed) {
@@ -76,7 +80,7 @@ void TemperedPopulation::sweep(double heat, std::uint64_t seed) {
     for (std::size_t m = group; m < chains_.size(); m += groups) {
       swept.push_back({&chains_[m], mixBits(seed, m)});
     }
-    GibbsSweep(contacts_, evidence_, parameters_, std::move(swept), heat).run(order);
+    GibbsSweep(contacts_, evidence_, prior_, parameters_, std::move(swept), heat).run(order);
   });
 }
 

@@ -24,6 +24,10 @@ constexpr double kSaysNothing = 0.2;
 // Units that half of the distances between touches are below, chosen like the freedom.
 constexpr double kTouchesApart = 2.0;
 
+// As many contacts say as much of the size of a held thing as its known surface does: a choice, for
+// a step or two of the units before anything is touched.
+constexpr double kKnownSurface = 4.0;
+
 // No offset is known better [m]: half the smallest unit.
 constexpr double kLeastOffset = 0.5 * kSmallestUnit;
 
@@ -61,13 +65,18 @@ double logLikelihoodOfDistances(const std::vector<LeverOfContact>& contacts, dou
 
 double unitOfLength(int index) { return kSmallestUnit * std::pow(kRatio, index); }
 
-std::array<double, kUnits> unitProbabilities(const std::vector<LeverOfContact>& levers,
-                                             bool planar) {
+std::array<double, kUnits> unitProbabilities(const std::vector<LeverOfContact>& levers, bool planar,
+                                             const std::vector<LeverOfContact>& known) {
+  const int dimensions = planar ? 1 : 2;
   std::array<double, kUnits> result{};
   for (int i = 0; i < kUnits; ++i) {
     result[i] = logLikelihoodOfDistances(levers, unitOfLength(i));
     for (const LeverOfContact& lever : levers) {
-      result[i] += std::log(likelihood(lever, unitOfLength(i), planar ? 1 : 2));
+      result[i] += std::log(likelihood(lever, unitOfLength(i), dimensions));
+    }
+    for (const LeverOfContact& lever : known) {
+      result[i] += kKnownSurface / static_cast<double>(known.size()) *
+                   std::log(likelihood(lever, unitOfLength(i), dimensions));
     }
   }
   const double largest = *std::max_element(result.begin(), result.end());

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "evidence_records.h"
+#include "prior_record.h"
 #include "smore/common/json_lines.h"
 #include "smore/common/result.h"
 #include "task_record.h"
@@ -97,6 +98,10 @@ class EvidenceReader {
       readMotionEnd(record, &evidence_.motions.back());
     } else if (kind == "outcome") {
       evidence_.outcome = readOutcome(record);
+    } else if (kind == "prior") {
+      Priors& priors = evidence_.source.priors;
+      (readPriorSide(record) == MapSide::kObject ? priors.object : priors.world)
+          .push_back(readPrior(record));
     } else if (kind != "truth") {  // which is for scores alone
       record.fail("record", "unknown kind '" + kind + "'; the file is damaged");
     }

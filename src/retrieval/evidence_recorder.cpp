@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "evidence_records.h"
+#include "prior_record.h"
 #include "task_record.h"
 
 namespace smore {
@@ -13,6 +14,10 @@ EvidenceRecorder::EvidenceRecorder(JsonLinesWriter* file, const EvidenceSource& 
   file_->append(headerRecord());
   file_->append(taskRecord(source.task));
   file_->append(methodRecord(source));
+  for (const Prior& prior : source.priors.object) {
+    file_->append(priorRecord(MapSide::kObject, prior));
+  }
+  for (const Prior& prior : source.priors.world) file_->append(priorRecord(MapSide::kWorld, prior));
 }
 
 bool EvidenceRecorder::observe(const ContactObservation& observation) {

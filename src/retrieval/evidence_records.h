@@ -9,7 +9,7 @@ namespace smore {
 /// Format of the files of evidence (docs/evidence.md). The version rises when an older program
 /// could no longer make the same maps of a file.
 constexpr char kEvidenceFormat[] = "smore evidence";
-constexpr int kEvidenceVersion = 1;
+constexpr int kEvidenceVersion = 2;
 
 Json headerRecord();
 Json methodRecord(const EvidenceSource& source);

@@ -29,11 +29,21 @@ std::unique_ptr<TwinMap> makeSequentialBelief(const Scenario& scenario) {
 }
 
 std::unique_ptr<JointBelief> makeJointBelief(const Scenario& scenario, std::uint64_t seed,
-                                             JointBeliefParameters parameters) {
+                                             JointBeliefParameters parameters,
+                                             const Priors& priors) {
   parameters.voxel_size = scenario.voxel_size;
   if (scenario.motion == Motion::kPlanar) parameters.T_world_plane = scenario.start;
   parameters.seed = seed;
-  return std::make_unique<JointBelief>(parameters);
+  auto belief = std::make_unique<JointBelief>(parameters);
+  for (const Prior& prior : priors.object) belief->know(MapSide::kObject, prior);
+  for (const Prior& prior : priors.world) belief->know(MapSide::kWorld, prior);
+  return belief;
+}
+
+void refusePriors(MethodKind kind, const Priors& priors) {
+  if (priors.empty()) return;
+  throw InputError("prior: the method " + methodName(kind) +
+                   " cannot use what is known beforehand; use smore, or leave the key out");
 }
 
 // The planner's step is the paper's: one voxel.
@@ -65,9 +75,10 @@ Method makeCspace(const Scenario& scenario, std::uint64_t seed) {
   return method;
 }
 
-Method makeSmore(const Scenario& scenario, std::uint64_t seed, const MethodParameters& parameters) {
+Method makeSmore(const Scenario& scenario, std::uint64_t seed, const MethodParameters& parameters,
+                 const Priors& priors) {
   Method method;
-  auto belief = makeJointBelief(scenario, seed, parameters.belief);
+  auto belief = makeJointBelief(scenario, seed, parameters.belief, priors);
   method.planner =
       std::make_unique<RiskPlanner>(*belief, scenario.motionSpace(), parameters.planner, seed);
   method.touches = std::make_unique<InformedTouches>(*belief, scenario.motionSpace(),
@@ -103,20 +114,23 @@ std::string methodName(MethodKind kind) {
 }
 
 std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
-                                     const JointBeliefParameters& parameters) {
-  if (kind == MethodKind::kSmore) return makeJointBelief(scenario, seed, parameters);
+                                     const JointBeliefParameters& parameters,
+                                     const Priors& priors) {
+  if (kind == MethodKind::kSmore) return makeJointBelief(scenario, seed, parameters, priors);
+  refusePriors(kind, priors);
   return makeSequentialBelief(scenario);
 }
 
 Method makeMethod(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
-                  const MethodParameters& parameters) {
+                  const MethodParameters& parameters, const Priors& priors) {
+  if (kind != MethodKind::kSmore) refusePriors(kind, priors);
   switch (kind) {
     case MethodKind::kPaper:
       return makePaper(scenario, seed);
     case MethodKind::kCspace:
       return makeCspace(scenario, seed);
     case MethodKind::kSmore:
-      return makeSmore(scenario, seed, parameters);
+      return makeSmore(scenario, seed, parameters, priors);
   }
   throw InputError("unknown method");
 }

@@ -48,7 +48,9 @@ ParameterSection beliefSection(JointBeliefParameters* belief) {
            {"most_contacts", &belief->most_contacts, kContacts},
            {"shortest_patch", &belief->extent.shortest, kLength},
            {"object_patch", &belief->extent.object_longest, kLength},
-           {"world_patch", &belief->extent.world_longest, kLength}}};
+           {"world_patch", &belief->extent.world_longest, kLength},
+           {"prior_scale", &belief->prior.scale, kLength},
+           {"prior_weight", &belief->prior.weight, kStrength}}};
 }
 
 ParameterSection plannerSection(RiskPlannerParameters* planner) {

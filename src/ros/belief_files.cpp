@@ -56,6 +56,11 @@ std::string BeliefFiles::loadFrom(const std::string& file, MapKeeper* keeper) co
     throw InputError(file + ": recorded in " + motionName(motion) + " motion, this task is " +
                      motionName(source_.task.motion) + "; load evidence of the same kind");
   }
+  if (!areTheSame(evidence.source.priors, source_.priors)) {
+    throw InputError(file +
+                     ": recorded with other prior knowledge than this scenario's; start with " +
+                     "the scenario of that record");
+  }
   keeper->load(evidence.observations);
   const auto lines = std::count_if(evidence.observations.begin(), evidence.observations.end(),
                                    [](const auto& observation) { return bool(observation.line); });

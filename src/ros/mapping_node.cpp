@@ -37,22 +37,22 @@ ros::Time timeOf(double stamp) {
 }
 
 std::unique_ptr<EvidenceJournal> makeJournal(const MappingParameters& parameters,
-                                             const Scenario& scenario) {
+                                             const EvidenceSource& source) {
   const auto directory = journalOf(parameters);
   if (!directory) return nullptr;
-  return std::make_unique<EvidenceJournal>(*directory, sourceOf(parameters, scenario));
+  return std::make_unique<EvidenceJournal>(*directory, source);
 }
 
 /// With what there is to go on from, which is sought before a journal of its own is begun.
-std::unique_ptr<MapKeeper> makeKeeper(const MappingParameters& parameters, const Scenario& scenario,
-                                      const BeliefFiles& files) {
+std::unique_ptr<MapKeeper> makeKeeper(const MappingParameters& parameters,
+                                      const EvidenceSource& source, const BeliefFiles& files) {
   const auto earlier = earlierEvidence(parameters);
   auto keeper = std::make_unique<MapKeeper>(
-      [parameters, scenario] {
-        return makeTwinMap(parameters.method, scenario, parameters.seed,
-                           parameters.method_parameters.belief);
+      [source] {
+        return makeTwinMap(source.method, source.task, source.seed, source.parameters.belief,
+                           source.priors);
       },
-      spacingFor(scenario), makeJournal(parameters, scenario));
+      spacingFor(source.task), makeJournal(parameters, source));
   if (earlier) ROS_INFO_STREAM(files.loadFrom(*earlier, keeper.get()));
   return keeper;
 }
@@ -61,10 +61,10 @@ std::unique_ptr<MapKeeper> makeKeeper(const MappingParameters& parameters, const
 /// have threads of their own, since they wait for it.
 class MappingNode {
  public:
-  MappingNode(const MappingParameters& parameters, const Scenario& scenario)
+  MappingNode(const MappingParameters& parameters, const EvidenceSource& source)
       : parameters_(parameters),
-        files_(belowRosHome(parameters.beliefs), sourceOf(parameters, scenario)),
-        keeper_(makeKeeper(parameters, scenario, files_)),
+        files_(belowRosHome(parameters.beliefs), source),
+        keeper_(makeKeeper(parameters, source, files_)),
         service_node_(makeServiceNode()),
         world_(service_node_, names::kWorldMap, parameters.frames.world,
                {Vec3::Zero(), Vec3::Ones()}, parameters.display_min_probability),
@@ -272,7 +272,7 @@ void runMapping() {
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
   reader.finish();
-  MappingNode(parameters, *scenario).run();
+  MappingNode(parameters, sourceOf(parameters, *scenario)).run();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <ctime>
 #include <limits>
 
+#include "scenario_priors.h"
 #include "smore/common/result.h"
 #include "smore/ros/belief_files.h"
 
@@ -44,6 +45,7 @@ EvidenceSource sourceOf(const MappingParameters& parameters, const Scenario& sce
   source.method = parameters.method;
   source.parameters = parameters.method_parameters;
   source.seed = static_cast<std::uint64_t>(parameters.seed);
+  source.priors = priorsOf(scenario, source.seed);
   return source;
 }
 

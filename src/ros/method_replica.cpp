@@ -10,10 +10,9 @@
 namespace smore {
 
 MethodReplica::MethodReplica(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
-                             const MethodParameters& parameters)
-    : kind_(kind), scenario_(scenario), seed_(seed), parameters_(parameters) {
-  method_ = makeMethod(kind_, scenario_, seed_, parameters_);
-  first_revision_ = method_.maps->revision();
+                             const MethodParameters& parameters, const Priors& priors)
+    : kind_(kind), scenario_(scenario), seed_(seed), parameters_(parameters), priors_(priors) {
+  restart(0);
 }
 
 bool MethodReplica::extend(const EvidencePart& part) {
@@ -64,7 +63,7 @@ std::vector<double> MethodReplica::risksAlong(const Path& path) const {
 }
 
 void MethodReplica::restart(std::uint64_t epoch) {
-  method_ = makeMethod(kind_, scenario_, seed_, parameters_);
+  method_ = makeMethod(kind_, scenario_, seed_, parameters_, priors_);
   first_revision_ = method_.maps->revision();
   epoch_ = epoch;
   size_ = 0;

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "scenario_priors.h"
 #include "smore/ros/method_replica.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
@@ -57,7 +58,8 @@ class PlannerNode {
       : parameters_(parameters),
         start_(scenario.start),
         space_(scenario.motionSpace()),
-        replica_(parameters.method, scenario, parameters.seed, parameters.method_parameters) {
+        replica_(parameters.method, scenario, parameters.seed, parameters.method_parameters,
+                 priorsOf(scenario, static_cast<std::uint64_t>(parameters.seed))) {
     maps_ = node_.serviceClient<smore_msgs::TwinMaps>(names::kTwinMaps);
     path_ = node_.advertise<nav_msgs::Path>(names::kPath, names::kLatestQueue, true);
     markers_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPathMarkers,

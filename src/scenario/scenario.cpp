@@ -6,6 +6,7 @@
 #include <functional>
 #include <sstream>
 
+#include "prior_reader.h"
 #include "shape_reader.h"
 #include "smore/common/parameters.h"
 #include "smore/common/result.h"
@@ -218,6 +219,7 @@ Scenario loadScenario(const std::string& file) {
   readContact(&reader, &scenario);
   readTrial(&reader, &scenario);
   readArm(&reader, &scenario);
+  scenario.prior = readPriorSources(&reader, directory);
   if (reader.has("start") && reader.has("goal") && reader.has("workspace")) {
     checkInSpace(&reader, scenario);
     checkVoxelKeys(&reader, scenario);

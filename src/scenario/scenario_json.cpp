@@ -62,6 +62,38 @@ Json bodyJson(const std::vector<Shape>& shapes) {
   return {{"shapes", std::move(list)}};
 }
 
+std::string formatName(PriorFormat format) {
+  switch (format) {
+    case PriorFormat::kTruth:
+      return "truth";
+    case PriorFormat::kMesh:
+      return "mesh";
+    case PriorFormat::kCloud:
+      return "cloud";
+    case PriorFormat::kOctree:
+      return "octree";
+  }
+  return "unknown";
+}
+
+Json priorJson(const std::vector<PriorSource>& entries) {
+  Json list = Json::array();
+  for (const PriorSource& entry : entries) {
+    Json json = poseJson(entry.pose);
+    json["source"] = entry.format == PriorFormat::kTruth ? "truth" : entry.file;
+    json["format"] = formatName(entry.format);
+    json["scale"] = toJson(entry.scale);
+    json["offset"] = toJson(entry.offset);
+    json["confidence"] = entry.confidence;
+    if (entry.box) {
+      json["min"] = toJson(entry.box->min);
+      json["max"] = toJson(entry.box->max);
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 Json noiseJson(const WrenchNoise& noise) {
   return {{"force_stddev", noise.force_stddev},
           {"torque_stddev", noise.torque_stddev},
@@ -95,7 +127,8 @@ std::string toJson(const Scenario& s) {
       {"perturb", {{"position", s.perturb.position}, {"angle", s.perturb.angle}}},
       {"object_mass", s.object_mass},
       {"robot_base", poseJson(s.T_world_base)},
-      {"gripper_object", poseJson(s.T_gripper_object)}};
+      {"gripper_object", poseJson(s.T_gripper_object)},
+      {"prior", {{"object", priorJson(s.prior.object)}, {"world", priorJson(s.prior.world)}}}};
   if (s.hasScene()) {
     json["object"] = bodyJson(s.object);
     json["environment"] = bodyJson(s.environment);

@@ -15,6 +15,8 @@ namespace {
 constexpr int kPlaces = 4;
 constexpr int kContacts = 4;
 
+const PriorEvidence kNothingKnown;
+
 // A small world: few contacts with few places each, so that all explanations can be listed.
 struct SmallCase {
   std::vector<ContactHypotheses> contacts;
@@ -72,7 +74,7 @@ Enumeration enumerate(const JointDistribution& distribution) {
       explanation.push_back(static_cast<std::int16_t>(left % (kPlaces + 1) - 1));
     }
     result.explanations.push_back(explanation);
-    result.probabilities.push_back(std::exp(distribution.logDensity(explanation)));
+    result.probabilities.push_back(std::exp(distribution.logDensity({explanation})));
     total += result.probabilities.back();
   }
   for (double& probability : result.probabilities) probability /= total;
@@ -82,9 +84,9 @@ Enumeration enumerate(const JointDistribution& distribution) {
 // Share of the samples of each (contact, place + 1).
 std::vector<double> sampledMarginals(const JointDistribution& distribution, int samples) {
   std::vector<double> shares(kContacts * (kPlaces + 1), 0.0);
-  for (const Explanation& explanation : distribution.sample(samples, 7)) {
+  for (const JointSample& sample : distribution.sample(samples, 7)) {
     for (int k = 0; k < kContacts; ++k) {
-      shares[k * (kPlaces + 1) + explanation[k] + 1] += 1.0 / samples;
+      shares[k * (kPlaces + 1) + sample.places[k] + 1] += 1.0 / samples;
     }
   }
   return shares;
@@ -97,7 +99,8 @@ TEST(JointDistribution, SamplesAgreeWithEnumeration) {
   parameters.sweeps = 20;
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const auto small = randomCase(seed, 4);
-    const JointDistribution distribution(small->contacts, small->evidence, parameters);
+    const JointDistribution distribution(small->contacts, small->evidence, kNothingKnown,
+                                         parameters);
     const Enumeration exact = enumerate(distribution);
     const std::vector<double> sampled = sampledMarginals(distribution, kSamples);
     for (int k = 0; k < kContacts; ++k) {
@@ -123,7 +126,7 @@ TEST(JointDistribution, LogLossOf64SamplesIsNearTheExactPosteriors) {
   std::mt19937 random(3);
   for (unsigned seed = 1; seed <= 50; ++seed) {
     const auto small = randomCase(100 + seed, 20 - kContacts);
-    const JointDistribution distribution(small->contacts, small->evidence,
+    const JointDistribution distribution(small->contacts, small->evidence, kNothingKnown,
                                          atADecimetre().distribution);
     const Enumeration exact = enumerate(distribution);
     const std::vector<double> sampled = sampledMarginals(distribution, 64);
@@ -171,9 +174,10 @@ TEST(JointDistribution, ConflictsMakeAnExplanationLessLikelyByTheirCost) {
   const DistributionParameters parameters = atADecimetre().distribution;
   const Explanation own = {0, kFalseContact, kFalseContact, kFalseContact};
   const double before =
-      JointDistribution(without->contacts, without->evidence, parameters).logDensity(own);
-  const double after =
-      JointDistribution(with->contacts, with->evidence, parameters).logDensity(own);
+      JointDistribution(without->contacts, without->evidence, kNothingKnown, parameters)
+          .logDensity({own});
+  const double after = JointDistribution(with->contacts, with->evidence, kNothingKnown, parameters)
+                           .logDensity({own});
   EXPECT_NEAR(before - after, 2.0 * parameters.conflict_cost, 1e-9);
 }
 
@@ -187,14 +191,15 @@ TEST(JointDistribution, TheOrderOfContactsDoesNotChangeASample) {
   std::mt19937 random(9);
   for (int i = 0; i < 6; ++i)
     reversed.evidence.addPose(Pose(small->evidence.poses()[i].cast<double>()));
-  auto forward = JointDistribution(small->contacts, small->evidence, atADecimetre().distribution)
+  auto forward = JointDistribution(small->contacts, small->evidence, kNothingKnown,
+                                   atADecimetre().distribution)
                      .sample(20, 1);
-  const auto backward =
-      JointDistribution(reversed.contacts, reversed.evidence, atADecimetre().distribution)
-          .sample(20, 1);
+  const auto backward = JointDistribution(reversed.contacts, reversed.evidence, kNothingKnown,
+                                          atADecimetre().distribution)
+                            .sample(20, 1);
   for (std::size_t m = 0; m < forward.size(); ++m) {
-    std::reverse(forward[m].begin(), forward[m].end());
-    EXPECT_EQ(forward[m], backward[m]);
+    std::reverse(forward[m].places.begin(), forward[m].places.end());
+    EXPECT_EQ(forward[m].places, backward[m].places);
   }
 }
 

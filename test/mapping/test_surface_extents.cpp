@@ -24,8 +24,10 @@ bool joinsPastAnObstacleAt(const Vec3& obstacle) {
   const std::vector<ContactHypotheses> contacts = {
       contactAt(left, far, 1), contactAt(right, far, 2), contactAt(left, obstacle, 3)};
   const std::vector<Explanation> explanations(kHypotheses, Explanation(contacts.size(), 0));
-  const SurfaceExtents surfaces({contacts, evidence, explanations, ~HypothesisMask{0}}, feature,
-                                lengths.extent, false, 1);
+  const BelievedPrior nothing_known;
+  const SurfaceExtents surfaces(
+      {contacts, evidence, explanations, ~HypothesisMask{0}, nothing_known}, feature,
+      lengths.extent, false, 1);
   return std::any_of(surfaces.object().begin(), surfaces.object().end(),
                      [](const MaskedPoint& ball) { return std::abs(ball.point.x()) < 0.1F; });
 }

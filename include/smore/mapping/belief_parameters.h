@@ -27,6 +27,7 @@ struct JointBeliefParameters {
   FreeSpaceParameters free_space;
   DistributionParameters distribution;
   ExtentParameters extent;
+  PriorParameters prior;
 };
 
 /// The parameters with all that is in units of length in metres, if the unit is `unit` [m].

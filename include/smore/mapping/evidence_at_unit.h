@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "smore/mapping/belief_parameters.h"
+#include "smore/mapping/believed_prior.h"
 #include "smore/mapping/free_space_evidence.h"
 #include "smore/mapping/hypothesis_weights.h"
 #include "smore/mapping/map_frame.h"
@@ -17,6 +18,13 @@ struct ObservedContact {
   std::uint64_t id = 0;  ///< ContactHypotheses::id of the rest
   Pose T_world_object = Pose::Identity();
   LineOfAction line;
+};
+
+/// kHypotheses explanations of all contacts, and what they hold to be true of what is known
+/// beforehand.
+struct ExplainedEvidence {
+  std::vector<Explanation> explanations;
+  BelievedPrior prior;
 };
 
 /// What all observations say if the unit of length is a certain one.
@@ -34,8 +42,9 @@ class EvidenceAtUnit {
   void removeContact(std::uint64_t id);
 
   /// kHypotheses explanations of the contacts: those of `members` are drawn, by `seed`, the others
-  /// explain nothing.
-  std::vector<Explanation> explain(const std::vector<int>& members, std::uint64_t seed) const;
+  /// explain nothing. `known`: a view, which must outlive the result.
+  ExplainedEvidence explain(const std::vector<KnownMatter>& known, const std::vector<int>& members,
+                            std::uint64_t seed) const;
 
   /// How likely each of these explanations is, by the sizes of its surfaces in space; in a plane,
   /// where sizes tell risks apart less well (docs/planning.md), all alike.

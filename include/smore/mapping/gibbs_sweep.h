@@ -25,8 +25,10 @@ class GibbsSweep {
  public:
   /// Views of its arguments.
   GibbsSweep(const std::vector<ContactHypotheses>& contacts, const FreeSpaceEvidence& evidence,
-             const DistributionParameters& parameters, std::vector<SweptChain> chains, double heat);
+             const PriorEvidence& prior, const DistributionParameters& parameters,
+             std::vector<SweptChain> chains, double heat);
 
+  /// The contacts in this order, then the pieces of prior knowledge.
   void run(const std::vector<int>& order);
 
  private:
@@ -49,7 +51,8 @@ class GibbsSweep {
   using SideOf = const GibbsChain::Side& (GibbsChain::*)() const;
 
   void visit(int contact);
-  void attract(int contact, SideOf side_of, const PointArray& places, const PointArray& normals);
+  void judge(int piece, const SweptChain& swept) const;
+  void attract(int contact, MapSide side, const PointArray& places, const PointArray& normals);
   void attractTo(int contact, int other, SideOf side_of, const PointArray& places,
                  const PointArray& normals);
   const KernelRow& rowOf(int place, const GibbsChain::Side& side, int other, int count,
@@ -64,8 +67,10 @@ class GibbsSweep {
 
   const std::vector<ContactHypotheses>& contacts_;
   const FreeSpaceEvidence& evidence_;
+  const PriorEvidence& prior_;
   const DistributionParameters& parameters_;
   std::vector<SweptChain> chains_;
+  double heat_;
   float exponent_;
   float cost_;
   std::vector<Attraction> attractions_;  ///< by chain

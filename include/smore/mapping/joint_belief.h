@@ -51,7 +51,12 @@ class JointBelief : public TwinMap {
   const VoxelGrid& object() const override { return worlds()->object; }
   std::uint64_t revision() const override { return revision_; }
   void update() const override { worlds(); }
+  /// What is known beforehand stays.
   void reset() override;
+
+  /// Takes what is known of one map beforehand as evidence like others; the same twice counts once.
+  /// InputError for more than kMostPriors pieces.
+  void know(MapSide side, const Prior& prior);
 
   /// What the evidence says by now. The first who asks after an observation waits for the inference
   /// (Worlds::inference_s), others at the same time for him.
@@ -82,6 +87,7 @@ class JointBelief : public TwinMap {
   bool addContact(const Pose& T_world_object, const LineOfAction& line);
   void mergeContacts();
   std::array<int, kUnits> worldsByUnit() const;
+  std::vector<LeverOfContact> leversOfKnownObject() const;
   EvidenceAtUnit& atUnit(int index) const;
   Worlds infer() const;
   void forgetUnlikelyUnits(const std::array<int, kUnits>& counts) const;
@@ -89,8 +95,7 @@ class JointBelief : public TwinMap {
   std::optional<ContactHypotheses> widestPlacesOf(const Pose& T_world_object,
                                                   const LineOfAction& line) const;
   SampledWorlds sampledWorlds(const std::array<int, kUnits>& counts, TouchedPlaces* touched) const;
-  WorldsAtUnit worldsAt(const EvidenceAtUnit& evidence,
-                        const std::vector<Explanation>& explanations,
+  WorldsAtUnit worldsAt(const EvidenceAtUnit& evidence, const ExplainedEvidence& explained,
                         const std::vector<int>& members) const;
 
   JointBeliefParameters parameters_;
@@ -101,6 +106,7 @@ class JointBelief : public TwinMap {
   Path trail_;      ///< a pose of each of these cells, in the order in which they were entered
   std::map<std::uint64_t, ObservedContact> contacts_;  ///< by their ids, those merged left out
   std::map<std::uint64_t, LeverOfContact> levers_;     ///< of all contacts, by their ids
+  std::vector<KnownMatter> known_;                     ///< beforehand, by their ids
   /// By contact_id, the first pose of each contact whose line says nothing or has not come yet;
   /// nothing for the others.
   std::map<int, std::optional<StampedPose>> poses_without_line_;

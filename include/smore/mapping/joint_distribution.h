@@ -7,6 +7,7 @@
 
 #include "smore/mapping/contact_hypotheses.h"
 #include "smore/mapping/free_space_evidence.h"
+#include "smore/mapping/prior_evidence.h"
 
 namespace smore {
 
@@ -36,9 +37,16 @@ struct DistributionParameters {
   int sweeps = 3;            ///< of Gibbs sampling after the last of these steps
 };
 
+constexpr std::int16_t kFalseContact = -1;
+
 /// One explanation of all contacts: for each its place, or kFalseContact.
 using Explanation = std::vector<std::int16_t>;
-constexpr std::int16_t kFalseContact = -1;
+
+/// An explanation together with the pieces of prior knowledge that it holds to be true.
+struct JointSample {
+  Explanation places;
+  PriorMask believed = 0;
+};
 
 /// The joint distribution of the places of all contacts, given all free space (docs/belief.md).
 ///
@@ -46,24 +54,28 @@ constexpr std::int16_t kFalseContact = -1;
 ///   conflicts)
 ///
 /// A_k is the sum of the object's AttractionKernel over the other contacts, B_k that of the
-/// world's. One normalised distribution: the conditionals that are sampled are its own.
+/// world's. One normalised distribution: the conditionals that are sampled are its own. With prior
+/// knowledge each piece of it is true or not, with its odds; what is true pulls touches to its
+/// surfaces (in A_k and B_k) and may be contradicted, like free space.
 class JointDistribution {
  public:
-  /// Views that must outlive this. Contacts in the order of `evidence`.
+  /// Views that must outlive this. Contacts in the order of `evidence` and of `prior`.
   JointDistribution(const std::vector<ContactHypotheses>& contacts,
-                    const FreeSpaceEvidence& evidence, const DistributionParameters& parameters);
+                    const FreeSpaceEvidence& evidence, const PriorEvidence& prior,
+                    const DistributionParameters& parameters);
 
   /// Unnormalised log probability.
-  double logDensity(const Explanation& explanation) const;
+  double logDensity(const JointSample& sample) const;
 
-  /// `count` explanations: a tempered population of Gibbs chains (docs/belief.md). The contacts'
-  /// order does not matter: each draws from the seed and its own id, in an order of visits that the
-  /// ids give.
-  std::vector<Explanation> sample(int count, std::uint64_t seed) const;
+  /// `count` samples: a tempered population of Gibbs chains (docs/belief.md). The contacts' order
+  /// does not matter: each draws from the seed and its own id, in an order of visits that the ids
+  /// give.
+  std::vector<JointSample> sample(int count, std::uint64_t seed) const;
 
  private:
   const std::vector<ContactHypotheses>* contacts_;
   const FreeSpaceEvidence* evidence_;
+  const PriorEvidence* prior_;
   DistributionParameters parameters_;
 };
 

@@ -16,7 +16,8 @@ namespace smore {
 /// one of its object, spread evenly over all orders of magnitude: a touch near a gap then closes it
 /// in those worlds alone whose surfaces are as large, however many touches there are. In space the
 /// object is mostly touched at corners, where its tangent planes are hardly in it; there its
-/// touches are joined to one piece instead.
+/// touches are joined to one piece instead. What is known beforehand is neither covered nor
+/// entered.
 class SurfaceExtents {
  public:
   SurfaceExtents(const WorldSamples& samples, const FeatureParameters& feature,
@@ -26,17 +27,16 @@ class SurfaceExtents {
   const std::vector<MaskedPoint>& world() const { return world_.points(); }
 
  private:
-  enum class Side { kObject, kWorld };
-
   void addTouches();
-  void grow(Side side);
-  ForbiddenMatter forbiddenFor(Side side) const;
-  MatterAllowed allowedFor(Side side, int hypothesis, const ForbiddenMatter& forbidden) const;
-  std::vector<Eigen::Vector3f> patches(Side side, int hypothesis,
+  void grow(MapSide side);
+  std::vector<ForbiddenMatter> forbiddenFor(MapSide side) const;
+  MatterAllowed allowedFor(MapSide side, int hypothesis,
+                           const std::vector<ForbiddenMatter>& forbidden) const;
+  std::vector<Eigen::Vector3f> patches(MapSide side, int hypothesis,
                                        const MatterAllowed& allowed) const;
   std::vector<Eigen::Vector3f> joined(int hypothesis, const MatterAllowed& allowed) const;
-  bool joinsTouches(Side side) const;
-  double longestRadius(Side side) const;
+  bool joinsTouches(MapSide side) const;
+  double longestRadius(MapSide side) const;
 
   const WorldSamples& samples_;
   const FeatureParameters& feature_;

@@ -16,10 +16,10 @@ namespace smore {
 class TemperedPopulation {
  public:
   TemperedPopulation(const std::vector<ContactHypotheses>& contacts,
-                     const FreeSpaceEvidence& evidence, const DistributionParameters& parameters,
-                     int count, std::uint64_t seed);
+                     const FreeSpaceEvidence& evidence, const PriorEvidence& prior,
+                     const DistributionParameters& parameters, int count, std::uint64_t seed);
 
-  std::vector<Explanation> run();
+  std::vector<JointSample> run();
 
  private:
   std::vector<double> bindingOfChains() const;
@@ -37,6 +37,7 @@ class TemperedPopulation {
 
   const std::vector<ContactHypotheses>& contacts_;
   const FreeSpaceEvidence& evidence_;
+  const PriorEvidence& prior_;
   DistributionParameters parameters_;
   std::uint64_t seed_;
   std::vector<GibbsChain> chains_;

@@ -35,8 +35,10 @@ struct LeverOfContact {
 /// - how far apart the object touches follows a Lomax distribution of shape 1, whose scale are some
 ///   units: its logarithm is as broad as it is while nobody knows how far things stand apart. All
 ///   pairs of contacts count, with the weight of one for each contact but the first.
-std::array<double, kUnits> unitProbabilities(const std::vector<LeverOfContact>& levers,
-                                             bool planar);
+/// Where the object's surface is `known` beforehand, by levers of contacts all over it, their mean
+/// counts as a few contacts.
+std::array<double, kUnits> unitProbabilities(const std::vector<LeverOfContact>& levers, bool planar,
+                                             const std::vector<LeverOfContact>& known = {});
 
 /// How many of `total` worlds have each unit: as many in each of `strata` parts of equal
 /// probability, with the unit in the part's middle.

@@ -5,10 +5,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "smore/mapping/believed_prior.h"
 #include "smore/mapping/contact_hypotheses.h"
 #include "smore/mapping/free_space_evidence.h"
 #include "smore/mapping/joint_distribution.h"
-#include "smore/mapping/mask_grid.h"
+#include "smore/mapping/matter_overlap.h"
 
 namespace smore {
 
@@ -27,11 +28,12 @@ struct WorldSamples {
   const FreeSpaceEvidence& evidence;
   const std::vector<Explanation>& explanations;  ///< kHypotheses of them
   HypothesisMask members;                        ///< those of them that count
+  const BelievedPrior& prior;
 };
 
 /// Worlds of one unit of length that the evidence allows, side by side in the bits of machine
 /// words: each an explanation of all contacts, with the touched surfaces continued at random until
-/// free space ends them.
+/// free space ends them, and with the matter that it believes to be known.
 class WorldsAtUnit {
  public:
   WorldsAtUnit(const WorldSamples& samples, const FeatureParameters& feature,
@@ -47,43 +49,37 @@ class WorldsAtUnit {
   HypothesisMask touching(const Eigen::Isometry3f& T_map_object,
                           int enough = kHypotheses - 1) const;
 
-  /// Centres of the balls of matter, in the object's and the map's frame.
+  /// Centres of the balls of touched matter, in the object's and the map's frame.
   const std::vector<MaskedPoint>& object() const { return object_; }
   const std::vector<MaskedPoint>& world() const { return world_; }
+  double radius() const { return radius_; }  ///< of these balls [m]
 
-  double radius() const { return radius_; }  ///< of the balls [m]
+  /// The same of matter that was known beforehand.
+  const std::vector<MaskedPoint>& knownObject() const { return known_object_; }
+  const std::vector<MaskedPoint>& knownWorld() const { return known_world_; }
+  double knownRadius() const { return known_radius_; }
 
-  /// Distance of two balls' centres at which they touch [m].
+  /// Distance of two touched balls' centres at which they touch [m].
   double contactDistance() const { return contact_distance_; }
 
  private:
-  /// Points that lie together, looked up as one first.
-  struct Block {
-    MaskedPoint whole;
-    int first = 0;
-    int last = 0;
-  };
   /// A pose at which the object touched, and poses like it.
   struct TouchingPose {
     Eigen::Isometry3f T_map_object;
     float reach;
   };
   bool isLikeATouchingPose(const Eigen::Isometry3f& T_map_object) const;
-  void makeBlocks(const std::vector<MaskedPoint>& points, float size);
-  HypothesisMask overlap(const Eigen::Isometry3f& pose, int enough) const;
 
   double radius_;
   double contact_distance_;
+  double known_radius_;
   HypothesisMask members_;
   std::vector<TouchingPose> touching_poses_;
   std::vector<MaskedPoint> object_;
   std::vector<MaskedPoint> world_;
-  // The side with fewer points is looked up, point by point, in grids of the other side.
-  bool object_moves_ = true;
-  std::vector<MaskedPoint> points_;  ///< block after block
-  std::vector<Block> blocks_;
-  MaskGrid near_ball_;   ///< by the centre of a ball: touches
-  MaskGrid near_block_;  ///< by the centre of a block: some point of it may touch
+  std::vector<MaskedPoint> known_object_;
+  std::vector<MaskedPoint> known_world_;
+  std::vector<MatterOverlap> overlaps_;  ///< touched or known matter of either side
 };
 
 }  // namespace smore

@@ -20,6 +20,7 @@ struct EvidenceSource {
   MethodKind method = MethodKind::kSmore;
   MethodParameters parameters;  ///< of the method smore
   std::uint64_t seed = 1;
+  Priors priors;  ///< what is known beforehand
 };
 
 /// A planned motion, and what came of it.

@@ -12,7 +12,7 @@ namespace smore {
 /// (readEvidence). A record is safe from a crash of this process once the call returns.
 class EvidenceRecorder : public MotionObserver {
  public:
-  /// Writes header, task and method to `file`, which is empty and must outlive this.
+  /// Writes header, task, method and priors to `file`, which is empty and must outlive this.
   EvidenceRecorder(JsonLinesWriter* file, const EvidenceSource& source);
 
   /// Records an observation, unless it provably changes no map (kLossless). Whether it did.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "smore/mapping/prior.h"
 #include "smore/mapping/twin_map.h"
 #include "smore/planning/planner.h"
 #include "smore/retrieval/method_parameters.h"
@@ -41,12 +42,14 @@ struct Method {
 };
 
 /// The twin map of a method. What it may know of the scenario: voxel size, workspace, motion, and
-/// the sensor's declared noise; never the shapes. Only smore uses `parameters`.
+/// the sensor's declared noise; never the shapes. Only smore uses `parameters`, and only smore can
+/// make use of what is known beforehand: InputError where another method is told something.
 std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
-                                     const JointBeliefParameters& parameters = {});
+                                     const JointBeliefParameters& parameters = {},
+                                     const Priors& priors = {});
 
-/// A whole method; `seed` makes its random choices repeatable. Only smore uses `parameters`.
+/// A whole method; `seed` makes its random choices repeatable. The rest as above.
 Method makeMethod(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
-                  const MethodParameters& parameters = {});
+                  const MethodParameters& parameters = {}, const Priors& priors = {});
 
 }  // namespace smore

@@ -27,9 +27,10 @@ struct PoseAssessment {
 /// The same belief as in a mapping node, made from the same evidence, with a planner on it.
 class MethodReplica {
  public:
-  /// `parameters`: of the method smore; those of the belief must be the mapping's.
+  /// `parameters`: of the method smore; those of the belief, and what is known beforehand, must be
+  /// the mapping's.
   MethodReplica(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
-                const MethodParameters& parameters = {});
+                const MethodParameters& parameters = {}, const Priors& priors = {});
 
   /// What to ask the mapping for.
   std::uint64_t epoch() const { return epoch_; }
@@ -62,6 +63,7 @@ class MethodReplica {
   Scenario scenario_;
   std::uint64_t seed_;
   MethodParameters parameters_;
+  Priors priors_;
   Method method_;
   std::uint64_t epoch_ = 0;
   std::uint64_t size_ = 0;

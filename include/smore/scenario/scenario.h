@@ -7,6 +7,7 @@
 
 #include "smore/common/geometry.h"
 #include "smore/scenario/motion_space.h"
+#include "smore/scenario/prior_source.h"
 #include "smore/scenario/shape.h"
 
 namespace smore {
@@ -73,6 +74,7 @@ struct Scenario {
   double object_mass = 0.5;                  ///< [kg]
   Pose T_world_base = Pose::Identity();      ///< of an arm: base_link
   Pose T_gripper_object = Pose::Identity();  ///< of an arm: object frame in the grasp frame
+  PriorSources prior;                        ///< what is known beforehand
 
   /// False for a task alone. An object with nothing around it is a scene: there is nothing to
   /// touch.

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "smore/mapping/prior_evidence.h"
+
+namespace smore {
+
+/// What is known beforehand, and which of the sampled worlds hold it to be true.
+struct BelievedPrior {
+  PriorEvidence evidence;
+  std::vector<HypothesisMask> worlds;  ///< by piece
+
+  /// The worlds that hold one of these pieces to be true.
+  HypothesisMask worldsOf(PriorMask pieces) const;
+
+  /// The worlds in which it is known beforehand what is at this place, matter or nothing.
+  HypothesisMask knowing(MapSide side, const Eigen::Vector3f& place) const;
+
+  /// Balls of known matter, with the worlds that hold it to be there.
+  std::vector<MaskedPoint> balls(MapSide side) const;
+};
+
+}  // namespace smore

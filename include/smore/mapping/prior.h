@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "smore/mapping/voxel_grid.h"
+
+namespace smore {
+
+/// One piece of what is known of a map before anything is touched: matter and free space, true as a
+/// whole with some probability.
+struct Prior {
+  /// In the world or the object frame. From kOccupied on a voxel is matter, below it is free; of a
+  /// voxel that is not stored nothing is known.
+  VoxelGrid known;
+  double confidence = 0.999;  ///< probability that it is true, above 0 and below 1
+};
+
+/// Everything that is known beforehand. The pieces are independent of one another.
+struct Priors {
+  std::vector<Prior> object;
+  std::vector<Prior> world;
+
+  bool empty() const { return object.empty() && world.empty(); }
+};
+
+/// Whether both say the same, entry by entry.
+bool areTheSame(const Priors& a, const Priors& b);
+
+}  // namespace smore

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "smore/common/geometry.h"
+
+namespace smore {
+
+/// What a piece of prior knowledge is read from.
+enum class PriorFormat {
+  kTruth,   ///< the solids of the simulated trial themselves
+  kMesh,    ///< a solid: STL, OBJ, PLY with faces, DAE
+  kCloud,   ///< points on surfaces: PCD, PLY without faces
+  kOctree,  ///< an OctoMap: .ot, .bt
+};
+
+/// An entry of a scenario's key `prior` (docs/priors.md).
+struct PriorSource {
+  PriorFormat format = PriorFormat::kTruth;
+  std::string file;              ///< of all but kTruth
+  Vec3 scale = Vec3::Ones();     ///< of a mesh
+  Pose pose = Pose::Identity();  ///< of what the file holds, in the frame of its map
+  std::optional<Bounds> box;     ///< what counts of it, in that frame [m]; nothing: all
+  Vec3 offset = Vec3::Zero();    ///< by which it is then moved [m]
+  double confidence = 0.999;     ///< probability that it is true, above 0 and below 1
+};
+
+/// What a scenario says to be known of each map.
+struct PriorSources {
+  std::vector<PriorSource> object;
+  std::vector<PriorSource> world;
+
+  bool empty() const { return object.empty() && world.empty(); }
+};
+
+}  // namespace smore

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/mapping/believed_prior.h"
+
+namespace smore {
+
+HypothesisMask BelievedPrior::worldsOf(PriorMask pieces) const {
+  HypothesisMask result = 0;
+  for (std::size_t piece = 0; piece < worlds.size(); ++piece) {
+    if (((pieces >> piece) & 1U) != 0) result |= worlds[piece];
+  }
+  return result;
+}
+
+HypothesisMask BelievedPrior::knowing(MapSide side, const Eigen::Vector3f& place) const {
+  HypothesisMask result = 0;
+  for (int piece = 0; piece < evidence.count(); ++piece) {
+    const KnownMatter& known = evidence.known(piece);
+    if (known.side() == side && known.knows(place)) result |= worlds[piece];
+  }
+  return result;
+}
+
+std::vector<MaskedPoint> BelievedPrior::balls(MapSide side) const {
+  std::vector<MaskedPoint> result;
+  for (const MaskedPoint& ball : evidence.balls(side)) {
+    const HypothesisMask mask = worldsOf(ball.mask);
+    if (mask != 0) result.push_back({ball.point, mask});
+  }
+  return result;
+}
+
+}  // namespace smore

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/mapping/known_matter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "smore/mapping/counter_random.h"
+#include "smore/mapping/mask_grid.h"
+#include "smore/mapping/octomap_export.h"
+#include "smore/mapping/point_index.h"
+
+namespace smore {
+namespace {
+
+// Neighbours that a normal is taken from, in voxels: two on each side even out the steps.
+constexpr int kNormalReach = 2;
+
+std::uint64_t bitsOf(double value) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits;
+}
+
+std::uint64_t bitsOf(const VoxelKey& key) {
+  const auto axis = [](std::int16_t index) {
+    return std::uint64_t{static_cast<std::uint16_t>(index)};
+  };
+  return axis(key.x) | axis(key.y) << 16 | axis(key.z) << 32;
+}
+
+bool isMatter(const VoxelGrid::Voxel& voxel) { return voxel.probability >= kOccupied; }
+
+// Neighbours beyond the range of keys are not there.
+bool neighbour(const VoxelKey& key, int dx, int dy, int dz, VoxelKey* result) {
+  constexpr int kMin = std::numeric_limits<std::int16_t>::min();
+  constexpr int kMax = std::numeric_limits<std::int16_t>::max();
+  const std::array<int, 3> at = {key.x + dx, key.y + dy, key.z + dz};
+  for (const int index : at) {
+    if (index < kMin || index > kMax) return false;
+  }
+  *result = {static_cast<std::int16_t>(at[0]), static_cast<std::int16_t>(at[1]),
+             static_cast<std::int16_t>(at[2])};
+  return true;
+}
+
+}  // namespace
+
+double logOddsOf(double probability) { return std::log(probability) - std::log1p(-probability); }
+
+KnownMatter::KnownMatter(MapSide side, const Prior& prior, const Pose& T_frame_grid, bool planar)
+    : side_(side),
+      known_(prior.known),
+      T_frame_grid_(T_frame_grid),
+      T_grid_frame_(T_frame_grid.inverse()),
+      planar_(planar),
+      log_odds_(logOddsOf(prior.confidence)) {
+  std::vector<VoxelGrid::Voxel> voxels = known_.voxels();
+  std::sort(voxels.begin(), voxels.end(),
+            [](const auto& a, const auto& b) { return a.key < b.key; });
+  id_ = mixBits(static_cast<std::uint64_t>(side),
+                mixBits(bitsOf(prior.confidence), bitsOf(known_.voxelSize())));
+  std::vector<VoxelKey> matter;
+  for (const VoxelGrid::Voxel& voxel : voxels) {
+    id_ = mixBits(id_, bitsOf(voxel.key) << 1 | (isMatter(voxel) ? 1 : 0));
+    if (!isMatter(voxel)) {
+      knows_free_space_ = true;
+    } else if (isInPlane(T_frame_grid_ * voxelCenter(voxel.key, known_.voxelSize()))) {
+      matter.push_back(voxel.key);
+    }
+  }
+  addSurface(matter);
+}
+
+// Where the plane passes between two layers of voxels, both are in it.
+bool KnownMatter::isInPlane(const Vec3& place) const {
+  constexpr double kHalfLayer = 0.5 + 1e-6;
+  return !planar_ || std::abs(place.z()) <= kHalfLayer * known_.voxelSize();
+}
+
+void KnownMatter::addSurface(const std::vector<VoxelKey>& matter) {
+  const double size = known_.voxelSize();
+  for (const VoxelKey& key : matter) {
+    Vec3 center = T_frame_grid_ * voxelCenter(key, size);
+    if (planar_) center.z() = 0.0;
+    matter_.push_back(center.cast<float>());
+    if (knows_free_space_ && !meetsFreeSpace(key)) continue;
+    const Vec3 inward = inwardOf(key);
+    surface_.push_back({(center - 0.5 * size * inward).cast<float>(), inward.cast<float>()});
+  }
+}
+
+bool KnownMatter::meetsFreeSpace(const VoxelKey& key) const {
+  constexpr std::array<std::array<int, 3>, 6> kFaces = {
+      {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+  return std::any_of(kFaces.begin(), kFaces.end(), [&](const std::array<int, 3>& face) {
+    VoxelKey next;
+    if (!neighbour(key, face[0], face[1], face[2], &next)) return false;
+    const auto probability = known_.probability(next);
+    return probability && *probability < kOccupied;
+  });
+}
+
+Vec3 KnownMatter::inwardOf(const VoxelKey& key) const {
+  if (!knows_free_space_) return Vec3::Zero();
+  Vec3 sum = Vec3::Zero();
+  for (int dx = -kNormalReach; dx <= kNormalReach; ++dx) {
+    for (int dy = -kNormalReach; dy <= kNormalReach; ++dy) {
+      for (int dz = -kNormalReach; dz <= kNormalReach; ++dz) {
+        VoxelKey next;
+        if (!neighbour(key, dx, dy, dz, &next)) continue;
+        const auto probability = known_.probability(next);
+        if (probability) sum += (*probability >= kOccupied ? 1.0 : -1.0) * Vec3(dx, dy, dz);
+      }
+    }
+  }
+  sum = T_frame_grid_.linear() * sum;
+  if (planar_) sum.z() = 0.0;
+  return sum.norm() < 1.0 ? Vec3::Zero() : Vec3(sum.normalized());
+}
+
+bool KnownMatter::knows(const Eigen::Vector3f& place) const {
+  const Vec3 in_grid = T_grid_frame_ * Vec3(place.cast<double>());
+  const double end = std::numeric_limits<std::int16_t>::max() * known_.voxelSize();
+  if (!(in_grid.cwiseAbs().maxCoeff() < end)) return false;
+  return known_.find(voxelAt(in_grid, known_.voxelSize())).has_value();
+}
+
+std::vector<Eigen::Vector3f> KnownMatter::balls(float radius) const {
+  std::vector<Eigen::Vector3f> places;
+  std::vector<Eigen::Vector3f> result;
+  for (const SurfacePoint& point : surface_) {
+    places.push_back(point.place);
+    result.push_back(point.place + radius * point.inward);
+  }
+  PointIndex near_surface(radius);
+  near_surface.build(places);
+  MaskedPoints inside(radius);
+  for (const Eigen::Vector3f& place : matter_) {
+    bool deep = true;
+    near_surface.forNear(place, [&deep](int /*point*/) { deep = false; });
+    if (deep) inside.add(place, 1);
+  }
+  for (const MaskedPoint& ball : inside.points()) result.push_back(ball.point);
+  return result;
+}
+
+}  // namespace smore

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/mapping/prior_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "smore/mapping/forbidden_matter.h"
+#include "smore/mapping/point_index.h"
+
+namespace smore {
+namespace {
+
+// A touch so many scales from the surface is not on it ...
+constexpr float kSurfaceEnd = 2.0F;
+// ... and nearer than so many it adds nothing to it.
+constexpr float kOnSurface = 0.5F;
+
+float kernel(float distance, float scale) {
+  const float ratio = distance / scale;
+  const float falling = 1.0F / (1.0F + ratio * ratio);
+  return falling * falling;
+}
+
+/// The surface of a piece, asked for how well it explains touches.
+class KnownSurface {
+ public:
+  KnownSurface(const std::vector<KnownMatter::SurfacePoint>& surface, float scale)
+      : surface_(surface), scale_(scale), index_(kSurfaceEnd * scale) {
+    std::vector<Eigen::Vector3f> places;
+    places.reserve(surface.size());
+    for (const KnownMatter::SurfacePoint& point : surface) places.push_back(point.place);
+    index_.build(places);
+  }
+
+  /// From 0 to 1, for a touch at `place` with the normal `inward`: less for a surface that stands
+  /// obliquely to it. Edges are touched with any normal between those of their faces.
+  float explains(const Eigen::Vector3f& place, const Eigen::Vector3f& inward) const {
+    float best = 0.0F;
+    index_.forNear(place, [&](int i) {
+      const KnownMatter::SurfacePoint& point = surface_[i];
+      const bool directed = point.inward.squaredNorm() > 0.0F;
+      const float facing = directed ? std::max(0.0F, point.inward.dot(inward)) : 1.0F;
+      best = std::max(best, facing * kernel((point.place - place).norm(), scale_));
+    });
+    return best;
+  }
+
+ private:
+  const std::vector<KnownMatter::SurfacePoint>& surface_;
+  float scale_;
+  PointIndex index_;
+};
+
+struct Touch {
+  Eigen::Vector3f place;
+  Eigen::Vector3f inward;  // into the touched matter
+};
+
+Touch touchOf(MapSide side, const ContactHypotheses& contact, int i, float radius) {
+  const bool on_object = side == MapSide::kObject;
+  const Eigen::Vector3f inward =
+      on_object ? contact.object_normal.at(i) : Eigen::Vector3f(-contact.world_normal.at(i));
+  return {(on_object ? contact.object : contact.world).at(i) - radius * inward, inward};
+}
+
+MapSide otherSide(MapSide side) {
+  return side == MapSide::kObject ? MapSide::kWorld : MapSide::kObject;
+}
+
+// From the frame of one side to that of the other.
+std::vector<Eigen::Isometry3f> posesTo(MapSide side, const FreeSpaceEvidence& free) {
+  std::vector<Eigen::Isometry3f> poses = free.poses();
+  if (side == MapSide::kWorld) return poses;
+  for (Eigen::Isometry3f& T : poses) T = T.inverse();
+  return poses;
+}
+
+template <typename Visit>
+void forEachBit(PriorMask mask, Visit visit) {
+  for (int piece = 0; mask != 0; ++piece, mask >>= 1) {
+    if ((mask & 1U) != 0) visit(piece);
+  }
+}
+
+}  // namespace
+
+double radiusOfKnown(const FeatureParameters& feature) { return 0.5 * feature.radius; }
+
+double bothKnownDistance(const FeatureParameters& feature) { return 2.0 * radiusOfKnown(feature); }
+
+double knownDistance(const FeatureParameters& feature) {
+  return feature.radius + radiusOfKnown(feature) - feature.tolerance;
+}
+
+PriorEvidence::PriorEvidence(const std::vector<KnownMatter>& known,
+                             const std::vector<ContactHypotheses>& contacts,
+                             const FreeSpaceEvidence& free, const PriorParameters& parameters,
+                             const FeatureParameters& feature, bool planar)
+    : ball_radius_(radiusOfKnown(feature)) {
+  if (known.empty()) return;
+  for (const KnownMatter& piece : known) known_.push_back(&piece);
+  addBalls();
+  sayings_.assign(known_.size(), std::vector<Saying>(contacts.size()));
+  for (int piece = 0; piece < count(); ++piece) compare(piece, contacts, parameters, feature);
+  addFreeSpace(MapSide::kObject, contacts, free, feature, planar);
+  addFreeSpace(MapSide::kWorld, contacts, free, feature, planar);
+  comparePieces(free, feature, planar);
+}
+
+void PriorEvidence::addBalls() {
+  const auto radius = static_cast<float>(ball_radius_);
+  MaskedPoints object(0.5F * radius);
+  MaskedPoints world(0.5F * radius);
+  for (int piece = 0; piece < count(); ++piece) {
+    MaskedPoints& side = known(piece).side() == MapSide::kObject ? object : world;
+    for (const Eigen::Vector3f& ball : known(piece).balls(radius)) {
+      side.add(ball, PriorMask{1} << piece);
+    }
+  }
+  object_balls_ = object.points();
+  world_balls_ = world.points();
+}
+
+void PriorEvidence::compare(int piece, const std::vector<ContactHypotheses>& contacts,
+                            const PriorParameters& parameters, const FeatureParameters& feature) {
+  const KnownMatter& matter = known(piece);
+  const auto scale = static_cast<float>(std::max(parameters.scale, matter.voxelSize()));
+  const KnownSurface surface(matter.surface(), scale);
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    Saying& saying = sayings_[piece][k];
+    for (int i = 0; i < contacts[k].count; ++i) {
+      const Touch touch =
+          touchOf(matter.side(), contacts[k], i, static_cast<float>(feature.radius));
+      const float explained = surface.explains(touch.place, touch.inward);
+      saying.pull[i] = static_cast<float>(parameters.weight) * explained;
+      if (!matter.knows(touch.place)) continue;
+      saying.covered[i] = explained > kernel(kOnSurface, 1.0F);
+      if (explained <= kernel(kSurfaceEnd, 1.0F)) ++saying.conflicts[i];
+    }
+  }
+}
+
+void PriorEvidence::addFreeSpace(MapSide side, const std::vector<ContactHypotheses>& contacts,
+                                 const FreeSpaceEvidence& free, const FeatureParameters& feature,
+                                 bool planar) {
+  const std::vector<MaskedPoint>& other = balls(otherSide(side));
+  if (other.empty()) return;
+  std::vector<MaskedPoint> places;
+  for (const ContactHypotheses& contact : contacts) {
+    const PointArray& points = side == MapSide::kObject ? contact.object : contact.world;
+    for (int i = 0; i < contact.count; ++i) places.push_back({points.at(i), 1});
+  }
+  const auto distance = static_cast<float>(knownDistance(feature));
+  const ForbiddenMatter forbidden(other, posesTo(side, free), boxAround(places, distance), distance,
+                                  distance / 3.0F, planar);
+  auto place = places.begin();
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    for (int i = 0; i < contacts[k].count; ++i, ++place) {
+      forEachBit(forbidden.at(place->point), [&](int piece) { ++sayings_[piece][k].conflicts[i]; });
+    }
+  }
+}
+
+// Matter must overlap by twice the tolerance: both sides are known to a voxel, poses to a cell.
+// Where balls are hardly thicker than that, three quarters of them must. What lies within one
+// contact distance counts as one contradiction.
+void PriorEvidence::comparePieces(const FreeSpaceEvidence& free, const FeatureParameters& feature,
+                                  bool planar) {
+  between_.assign(known_.size(), std::vector<int>(known_.size(), 0));
+  if (object_balls_.empty() || world_balls_.empty()) return;
+  const auto distance = static_cast<float>(
+      std::max(bothKnownDistance(feature) - 2.0 * feature.tolerance, 0.5 * ball_radius_));
+  const ForbiddenMatter forbidden(world_balls_, posesTo(MapSide::kObject, free),
+                                  boxAround(object_balls_, distance), distance, distance / 3.0F,
+                                  planar);
+  const auto cell = static_cast<float>(feature.conflictDistance());
+  std::vector<std::vector<std::set<std::uint64_t>>> cells(
+      known_.size(), std::vector<std::set<std::uint64_t>>(known_.size()));
+  for (const MaskedPoint& ball : object_balls_) {
+    const PriorMask in_world = forbidden.at(ball.point);
+    if (in_world == 0) continue;
+    forEachBit(ball.mask, [&](int p) {
+      forEachBit(in_world,
+                 [&](int q) { cells[p][q].insert(MaskedPoints::cellKey(ball.point, cell)); });
+    });
+  }
+  for (std::size_t p = 0; p < known_.size(); ++p) {
+    for (std::size_t q = 0; q < known_.size(); ++q) {
+      between_[p][q] = static_cast<int>(cells[p][q].size() + cells[q][p].size());
+    }
+  }
+}
+
+void PriorEvidence::addPulls(MapSide side, int contact, PriorMask believed, float* pulls) const {
+  forEachBit(believed, [&](int piece) {
+    if (known(piece).side() != side) return;
+    const auto& pull = sayings_[piece][contact].pull;
+    for (int i = 0; i < kCandidates; ++i) pulls[i] += pull[i];
+  });
+}
+
+float PriorEvidence::pull(MapSide side, int contact, int place, PriorMask believed) const {
+  float sum = 0.0F;
+  forEachBit(believed, [&](int piece) {
+    if (known(piece).side() == side) sum += sayings_[piece][contact].pull[place];
+  });
+  return sum;
+}
+
+void PriorEvidence::addConflicts(int contact, PriorMask believed, float* conflicts) const {
+  forEachBit(believed, [&](int piece) {
+    const auto& counts = sayings_[piece][contact].conflicts;
+    for (int i = 0; i < kCandidates; ++i) conflicts[i] += counts[i];
+  });
+}
+
+int PriorEvidence::conflicts(int contact, int place, PriorMask believed) const {
+  int sum = 0;
+  forEachBit(believed, [&](int piece) { sum += sayings_[piece][contact].conflicts[place]; });
+  return sum;
+}
+
+int PriorEvidence::conflictsOf(int piece, PriorMask believed) const {
+  int sum = 0;
+  forEachBit(believed, [&](int other) { sum += between_[piece][other]; });
+  return sum;
+}
+
+PriorMask PriorEvidence::covering(MapSide side, int contact, int place) const {
+  PriorMask mask = 0;
+  for (int piece = 0; piece < count(); ++piece) {
+    if (known(piece).side() != side || !sayings_[piece][contact].covered[place]) continue;
+    mask |= PriorMask{1} << piece;
+  }
+  return mask;
+}
+
+}  // namespace smore

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/mapping/prior_maps.h"
+
+#include <octomap/octomap.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "smore/common/result.h"
+#include "smore/mapping/map_frame.h"
+#include "smore/mapping/octomap_export.h"
+#include "smore/scenario/mesh.h"
+#include "smore/scenario/point_cloud.h"
+#include "smore/scenario/solid_distance.h"
+
+namespace smore {
+namespace {
+
+// Voxels of the maps over those of what is known, which is known better than touch tells.
+constexpr double kFinerInPlane = 4.0;
+constexpr double kFinerInSpace = 2.0;
+
+// Where a box holds more voxels they are made larger: some hundred megabytes.
+constexpr double kMostVoxels = 4e6;
+
+/// Whether there is matter at a point of the map's frame, in front of any box and offset; nothing
+/// where that is not known.
+using Knowledge = std::function<std::optional<bool>(const Vec3& point)>;
+
+struct Source {
+  Knowledge knowledge;
+  Bounds extent;  ///< beyond it nothing is known
+};
+
+Bounds widened(Bounds bounds, double margin) {
+  bounds.min.array() -= margin;
+  bounds.max.array() += margin;
+  return bounds;
+}
+
+Bounds boundsOf(const std::vector<Vec3>& points) {
+  Bounds bounds{points.front(), points.front()};
+  for (const Vec3& point : points) {
+    bounds.min = bounds.min.cwiseMin(point);
+    bounds.max = bounds.max.cwiseMax(point);
+  }
+  return bounds;
+}
+
+Source ofSolids(const std::vector<Shape>& shapes, const Bounds& extent) {
+  auto distance = std::make_shared<SolidDistance>(shapes);
+  return {[distance](const Vec3& point) { return (*distance)(point) <= 0.0; }, extent};
+}
+
+// A map of another resolution and pose.
+Source ofGrid(const VoxelGrid& grid, const Pose& pose) {
+  std::vector<Vec3> corners;
+  for (const VoxelGrid::Voxel& voxel : grid.voxels()) {
+    corners.push_back(pose * voxelCenter(voxel.key, grid.voxelSize()));
+  }
+  const Pose T_grid_map = pose.inverse();
+  const Knowledge knowledge = [grid, T_grid_map](const Vec3& point) -> std::optional<bool> {
+    const auto probability = grid.probability(voxelAt(T_grid_map * point, grid.voxelSize()));
+    if (!probability) return std::nullopt;
+    return *probability >= kOccupied;
+  };
+  return {knowledge, widened(boundsOf(corners), grid.voxelSize())};
+}
+
+VoxelGrid readOctree(const std::string& file) {
+  std::unique_ptr<octomap::AbstractOcTree> any;
+  std::unique_ptr<octomap::OcTree> tree;
+  if (file.substr(file.find_last_of('.')) == ".bt") {
+    tree = std::make_unique<octomap::OcTree>(0.1);
+    if (!tree->readBinary(file)) tree = nullptr;
+  } else {
+    any.reset(octomap::AbstractOcTree::read(file));
+    if (dynamic_cast<octomap::OcTree*>(any.get()) != nullptr) {
+      tree.reset(dynamic_cast<octomap::OcTree*>(any.release()));
+    }
+  }
+  if (!tree || tree->size() == 0) {
+    throw InputError(file + ": not an OctoMap of occupancies, or an empty one; write it with " +
+                     "octomap_saver or octovis");
+  }
+  return fromOctree(*tree);
+}
+
+// Only surfaces were seen: where no point is, nothing is known.
+VoxelGrid gridOfPoints(const std::vector<Vec3>& points, double voxel_size) {
+  VoxelGrid grid(voxel_size);
+  for (const Vec3& point : points) grid.set(voxelAt(point, voxel_size), 1.0F);
+  return grid;
+}
+
+/// Makes the pieces of one map of a scene.
+class PriorMaker {
+ public:
+  PriorMaker(const Scenario& scene, bool of_object)
+      : scene_(scene),
+        of_object_(of_object),
+        planar_(scene.motion == Motion::kPlanar),
+        T_plane_map_(of_object || !planar_ ? Pose::Identity() : scene.start.inverse()),
+        voxel_size_(scene.voxel_size / (planar_ ? kFinerInPlane : kFinerInSpace)) {}
+
+  Prior make(const PriorSource& entry) const {
+    const Source source = read(entry);
+    Bounds box = source.extent;
+    if (entry.box) {
+      box.min = box.min.cwiseMax(entry.box->min);
+      box.max = box.max.cwiseMin(entry.box->max);
+    }
+    Prior prior{voxelize(source.knowledge, box, entry.offset), entry.confidence};
+    if (prior.known.empty()) {
+      throw InputError("scenario " + scene_.name + ": prior: " + nameOf(entry) + " of the " +
+                       (of_object_ ? "object" : "world") + " says nothing" +
+                       (planar_ ? " in the plane of the motion" : "") +
+                       "; check its min, max, position and offset");
+    }
+    return prior;
+  }
+
+ private:
+  static std::string nameOf(const PriorSource& entry) {
+    return entry.format == PriorFormat::kTruth ? "truth" : entry.file;
+  }
+
+  Source read(const PriorSource& entry) const {
+    switch (entry.format) {
+      case PriorFormat::kTruth:
+        return truth();
+      case PriorFormat::kOctree:
+        return ofGrid(readOctree(entry.file), entry.pose);
+      case PriorFormat::kCloud:
+        return cloud(entry);
+      case PriorFormat::kMesh:
+        return mesh(entry);
+    }
+    throw InputError("unknown format of a prior");
+  }
+
+  Source truth() const {
+    if (!scene_.hasScene()) {
+      throw InputError("scenario " + scene_.name +
+                       ": prior: the truth is known in simulation only; give a mesh, a cloud of "
+                       "points or an OctoMap");
+    }
+    const double reach = reachOf(scene_.object) + voxel_size_;
+    const Bounds around_object{Vec3::Constant(-reach), Vec3::Constant(reach)};
+    return of_object_ ? ofSolids(scene_.object, around_object)
+                      : ofSolids(scene_.environment, regionOfContacts(scene_));
+  }
+
+  // One voxel around the solid is known to be free, so that its surface is known for one.
+  Source mesh(const PriorSource& entry) const {
+    const std::vector<Shape> shapes = {{loadMesh(entry.file, entry.scale), entry.pose}};
+    return ofSolids(shapes, widened(smore::boundsOf(shapes), 1.5 * voxel_size_));
+  }
+
+  Source cloud(const PriorSource& entry) const {
+    std::vector<Vec3> points = loadPointCloud(entry.file);
+    for (Vec3& point : points) point = entry.pose * point;
+    return ofGrid(gridOfPoints(points, voxel_size_), Pose::Identity());
+  }
+
+  bool isInPlane(const Vec3& point) const {
+    constexpr double kHalfLayer = 0.5 + 1e-6;
+    return !planar_ || std::abs((T_plane_map_ * point).z()) <= kHalfLayer * voxel_size_;
+  }
+
+  double voxelSizeFor(const Bounds& box) const {
+    const Vec3 counts = ((box.max - box.min) / voxel_size_).cwiseMax(1.0);
+    const double count = planar_ ? counts.x() * counts.y() : counts.prod();
+    return voxel_size_ * std::max(1.0, std::pow(count / kMostVoxels, planar_ ? 0.5 : 1.0 / 3.0));
+  }
+
+  VoxelGrid voxelize(const Knowledge& knowledge, const Bounds& box, const Vec3& offset) const {
+    if ((box.min.array() > box.max.array()).any()) return VoxelGrid(voxel_size_);
+    VoxelGrid grid(voxelSizeFor(box));
+    const double size = grid.voxelSize();
+    const VoxelKey first = voxelAt(box.min + offset, size);
+    const VoxelKey last = voxelAt(box.max + offset, size);
+    VoxelKey key;
+    for (key.z = first.z; key.z <= last.z; ++key.z) {
+      for (key.y = first.y; key.y <= last.y; ++key.y) {
+        for (key.x = first.x; key.x <= last.x; ++key.x) {
+          const Vec3 point = voxelCenter(key, size);
+          if (!isInPlane(point) || !box.contains(point - offset)) continue;
+          const std::optional<bool> matter = knowledge(point - offset);
+          if (matter) grid.set(key, *matter ? 1.0F : 0.0F);
+        }
+      }
+    }
+    return grid;
+  }
+
+  const Scenario& scene_;
+  bool of_object_;
+  bool planar_;
+  Pose T_plane_map_;
+  double voxel_size_;
+};
+
+}  // namespace
+
+Priors makePriors(const Scenario& scene) {
+  Priors priors;
+  for (const PriorSource& entry : scene.prior.object) {
+    priors.object.push_back(PriorMaker(scene, true).make(entry));
+  }
+  for (const PriorSource& entry : scene.prior.world) {
+    priors.world.push_back(PriorMaker(scene, false).make(entry));
+  }
+  return priors;
+}
+
+}  // namespace smore

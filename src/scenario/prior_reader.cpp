@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "prior_reader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+
+#include "smore/scenario/point_cloud.h"
+
+namespace smore {
+namespace {
+
+constexpr Range kPosition{-100.0, 100.0};  // [m], as of shapes
+constexpr Range kScale{-1e6, 1e6};
+constexpr Range kConfidence{0.001, 1.0 - 1e-9};
+constexpr int kMostEntries = 32;  // of both maps together as many as the belief takes
+
+std::string extensionOf(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return std::tolower(letter); });
+  return extension;
+}
+
+// PLY files are meshes where they have faces.
+std::optional<PriorFormat> formatOf(const std::string& source) {
+  static const std::map<std::string, PriorFormat> kFormats = {
+      {".stl", PriorFormat::kMesh}, {".obj", PriorFormat::kMesh},  {".dae", PriorFormat::kMesh},
+      {".ply", PriorFormat::kMesh}, {".pcd", PriorFormat::kCloud}, {".ot", PriorFormat::kOctree},
+      {".bt", PriorFormat::kOctree}};
+  if (source == "truth") return PriorFormat::kTruth;
+  const auto known = kFormats.find(extensionOf(source));
+  if (known == kFormats.end()) return std::nullopt;
+  return known->second;
+}
+
+void readFile(ParameterReader* reader, const std::string& source, const std::string& directory,
+              PriorSource* entry) {
+  entry->file = source.front() == '/' ? source : directory + source;
+  std::error_code problem;
+  if (!std::filesystem::is_regular_file(entry->file, problem)) {
+    reader->error("source", "no file '" + entry->file + "'; give 'truth' or a path of a file, " +
+                                "relative to the scenario's");
+    return;
+  }
+  if (extensionOf(source) == ".ply" && !hasFaces(entry->file)) entry->format = PriorFormat::kCloud;
+  Vec3 position = Vec3::Zero();
+  Vec3 rpy = Vec3::Zero();
+  if (reader->has("position")) reader->vector("position", &position, kPosition);
+  if (reader->has("rpy")) reader->angles("rpy", &rpy);
+  entry->pose = makePose(position, rpy);
+  if (entry->format == PriorFormat::kMesh && reader->has("scale")) {
+    reader->vector("scale", &entry->scale, kScale);
+  }
+}
+
+void readBox(ParameterReader* reader, PriorSource* entry) {
+  const bool has_min = reader->has("min");
+  const bool has_max = reader->has("max");
+  if (!has_min && !has_max) return;
+  Bounds box;
+  reader->vector("min", &box.min, kPosition);
+  reader->vector("max", &box.max, kPosition);
+  if (!has_min || !has_max) return;
+  if ((box.min.array() >= box.max.array()).any()) {
+    reader->error("min", "not below max; give min first on every axis");
+  }
+  entry->box = box;
+}
+
+std::vector<PriorSource> readEntries(ParameterReader* reader, const std::string& key,
+                                     const std::string& directory) {
+  std::vector<PriorSource> entries;
+  if (!reader->has(key)) return entries;
+  for (ParameterReader& section : reader->list(key)) {
+    std::string source;
+    section.text("source", &source);
+    if (source.empty()) continue;
+    PriorSource entry;
+    const std::optional<PriorFormat> format = formatOf(source);
+    if (!format) {
+      section.error("source", "'" + source + "' is none of: truth, a mesh (.stl, .obj, .ply, " +
+                                  ".dae), a cloud of points (.pcd, .ply), an OctoMap (.ot, .bt)");
+      continue;
+    }
+    entry.format = *format;
+    if (entry.format != PriorFormat::kTruth) readFile(&section, source, directory, &entry);
+    readBox(&section, &entry);
+    if (section.has("offset")) section.vector("offset", &entry.offset, kPosition);
+    if (section.has("confidence")) section.number("confidence", &entry.confidence, kConfidence);
+    section.finishNested();
+    entries.push_back(entry);
+  }
+  if (entries.size() > kMostEntries) {
+    reader->error(key, "more than " + std::to_string(kMostEntries) + " entries; join some files");
+  }
+  return entries;
+}
+
+}  // namespace
+
+PriorSources readPriorSources(ParameterReader* reader, const std::string& directory) {
+  PriorSources sources;
+  if (!reader->has("prior")) return sources;
+  ParameterReader section = reader->nested("prior");
+  sources.object = readEntries(&section, "object", directory);
+  sources.world = readEntries(&section, "world", directory);
+  section.finishNested();
+  return sources;
+}
+
+}  // namespace smore

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "belief_observations.h"
+#include "smore/mapping/joint_belief.h"
+#include "smore/mapping/octomap_export.h"
+
+namespace smore {
+namespace {
+
+// What is matter within a box, and free beside it, in voxels of a centimetre.
+Prior boxKnown(const Vec3& min, const Vec3& max, double margin, double confidence = 0.999) {
+  constexpr double kSize = 0.01;
+  Prior prior{VoxelGrid(kSize), confidence};
+  const Bounds box{min, max};
+  const VoxelKey first = voxelAt({min.x() - margin, min.y() - margin, 0.0}, kSize);
+  const VoxelKey last = voxelAt({max.x() + margin, max.y() + margin, 0.0}, kSize);
+  for (VoxelKey key = first; key.x <= last.x; ++key.x) {
+    for (key.y = first.y; key.y <= last.y; ++key.y) {
+      Vec3 center = voxelCenter(key, kSize);
+      center.z() = 0.5 * (min.z() + max.z());
+      prior.known.set(key, box.contains(center) ? 1.0F : 0.0F);
+    }
+  }
+  return prior;
+}
+
+// The bar of wallObservations, which reaches 0.2 m ahead of the hand.
+Prior bar(double confidence = 0.999) {
+  return boxKnown({0.0, -0.02, -0.1}, {0.2, 0.02, 0.1}, 0.1, confidence);
+}
+
+// The wall that it is pushed against, with its front at `x`.
+Prior wall(double x, double confidence = 0.999) {
+  return boxKnown({x, -0.2, -0.1}, {x + 0.1, 0.2, 0.1}, 0.1, confidence);
+}
+
+double probabilityAt(const VoxelGrid& grid, const Vec3& place) {
+  return grid.probability(voxelAt(place, grid.voxelSize())).value_or(0.0F);
+}
+
+TEST(PriorBelief, KnownMatterIsInTheMapsBeforeAnythingIsTouched) {
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kObject, bar());
+  belief.know(MapSide::kWorld, wall(0.5));
+  EXPECT_GT(probabilityAt(belief.object(), {0.1, 0.0, 0.0}), 0.9);
+  EXPECT_GT(probabilityAt(belief.world(), {0.54, 0.1, 0.0}), 0.9);
+  EXPECT_LT(probabilityAt(belief.object(), {0.1, 0.1, 0.0}), 0.1);
+  EXPECT_LT(probabilityAt(belief.world(), {0.4, 0.1, 0.0}), 0.1);
+}
+
+TEST(PriorBelief, ItsConfidenceIsTheShareOfTheWorldsThatHoldIt) {
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kWorld, wall(0.5, 0.7));
+  EXPECT_NEAR(probabilityAt(belief.world(), {0.54, 0.1, 0.0}), 0.7, 0.2);  // 3.5 deviations of 64
+}
+
+TEST(PriorBelief, ATouchIsWhereTheKnownObjectIs) {
+  // One push along x: by itself it could be anywhere on its line.
+  const auto probabilityOfWall = [](bool is_known) {
+    JointBelief belief(planarParameters());
+    if (is_known) belief.know(MapSide::kObject, bar());
+    belief.observe(freeAt(Pose::Identity(), 0.0));
+    belief.observe(contactAt(makePose({0.3, 0.0, 0.0}), {0.2, 0.0, 0.0}, {-1, 0, 0}));
+    return probabilityAt(belief.world(), {0.515, 0.0, 0.0});
+  };
+  EXPECT_LT(probabilityOfWall(false), 0.3);
+  EXPECT_GT(probabilityOfWall(true), 0.5);
+}
+
+// Bar and wall overlapped at poses that were free. A shorter bar would do, or a farther wall.
+TEST(PriorBelief, OfTwoPiecesThatContradictOneAnotherTheLessSureIsGivenUp) {
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kObject, bar());
+  belief.know(MapSide::kWorld, wall(0.42, 0.1));
+  observeAll(wallObservations(), &belief);
+  EXPECT_LT(probabilityAt(belief.world(), {0.43, 0.15, 0.0}), 0.2);
+  EXPECT_GT(probabilityAt(belief.object(), {0.1, 0.0, 0.0}), 0.8);
+}
+
+TEST(PriorBelief, AWallThatIsThereIsKept) {
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kObject, bar());
+  belief.know(MapSide::kWorld, wall(0.5));
+  observeAll(wallObservations(), &belief);
+  EXPECT_GT(probabilityAt(belief.world(), {0.54, 0.15, 0.0}), 0.9);
+  EXPECT_GT(probabilityAt(belief.object(), {0.1, 0.0, 0.0}), 0.9);
+}
+
+// The bar would have been in the wall at a pose that was free: one of the two is wrong.
+TEST(PriorBelief, FreeSpaceAloneTellsThatTwoPiecesCannotBothBeTrue) {
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kObject, bar());
+  belief.know(MapSide::kWorld, boxKnown({-0.1, -0.2, -0.1}, {0.3, 0.2, 0.1}, 0.1));
+  belief.observe(freeAt(Pose::Identity(), 0.0));
+  const double object = probabilityAt(belief.object(), {0.1, 0.0, 0.0});
+  const double world = probabilityAt(belief.world(), {0.2, 0.15, 0.0});
+  EXPECT_NEAR(object + world, 1.0, 0.1);
+}
+
+TEST(PriorBelief, IsOverruledByMoreTouchesTheSurerItIs) {
+  const auto touchesUntilGivenUp = [](double confidence) {
+    JointBelief belief(planarParameters());
+    belief.know(MapSide::kObject, bar());
+    belief.know(MapSide::kWorld, boxKnown({1.5, -0.1, -0.1}, {1.6, 0.1, 0.1}, 1.9, confidence));
+    int touches = 0;
+    for (const ContactObservation& observation : wallObservations()) {
+      belief.observe(observation);
+      if (!observation.line) continue;
+      ++touches;  // in space that is said to be free
+      if (probabilityAt(belief.world(), {1.54, 0.0, 0.0}) < 0.5) return touches;
+    }
+    return touches + 1;
+  };
+  const int unsure = touchesUntilGivenUp(0.5);
+  const int sure = touchesUntilGivenUp(0.999);
+  EXPECT_LE(unsure, sure);
+  EXPECT_LE(sure, 4);
+}
+
+TEST(PriorBelief, NeitherTheOrderNorARepetitionLeavesATrace) {
+  JointBelief reference(planarParameters());
+  reference.know(MapSide::kObject, bar());
+  reference.know(MapSide::kWorld, wall(0.5));
+  observeAll(wallObservations(), &reference);
+  std::vector<ContactObservation> observations = wallObservations();
+  std::shuffle(observations.begin(), observations.end(), std::mt19937(3));
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kWorld, wall(0.5));
+  observeAll(observations, &belief);
+  belief.know(MapSide::kObject, bar());
+  belief.know(MapSide::kObject, bar());
+  EXPECT_EQ(difference(reference.world(), belief.world()).first, 0.0);
+  EXPECT_EQ(difference(reference.object(), belief.object()).first, 0.0);
+}
+
+TEST(PriorBelief, StaysWhenAllElseIsForgotten) {
+  JointBelief fresh(planarParameters());
+  fresh.know(MapSide::kWorld, wall(0.5));
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kWorld, wall(0.5));
+  observeAll(wallObservations(), &belief);
+  belief.reset();
+  EXPECT_EQ(difference(fresh.world(), belief.world()).first, 0.0);
+  EXPECT_GT(fresh.world().size(), 0U);
+}
+
+// Seen points without free space: surfaces pull touches, and say nothing of what lies between.
+TEST(PriorBelief, ACloudOfPointsPullsTouches) {
+  Prior cloud{VoxelGrid(0.01), 0.999};
+  for (double y = -0.2; y < 0.2; y += 0.01) cloud.known.set(voxelAt({0.501, y, 0.0}, 0.01), 1.0F);
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kWorld, cloud);
+  belief.observe(freeAt(Pose::Identity(), 0.0));
+  belief.observe(contactAt(makePose({0.3, 0.0, 0.0}), {0.2, 0.0, 0.0}, {-1, 0, 0}));
+  EXPECT_GT(probabilityAt(belief.object(), {0.185, 0.0, 0.0}), 0.6);
+}
+
+TEST(PriorBelief, TheUnitOfLengthIsThatOfAKnownObject) {
+  JointBeliefParameters parameters = planarParameters();
+  parameters.unit = 0.0;
+  JointBelief small(parameters);
+  small.know(MapSide::kObject, boxKnown({-0.01, -0.01, -0.1}, {0.03, 0.02, 0.1}, 0.02));
+  JointBelief large(parameters);
+  large.know(MapSide::kObject, boxKnown({-1.0, -0.8, -0.1}, {0.8, 0.9, 0.1}, 0.2));
+  EXPECT_LT(small.worlds()->unit, 0.05);
+  EXPECT_GT(large.worlds()->unit, 0.3);
+}
+
+TEST(PriorBelief, RefusesMorePiecesThanItCanTellApart) {
+  JointBelief belief(planarParameters());
+  for (int i = 0; i < kMostPriors; ++i) belief.know(MapSide::kWorld, wall(0.5, 0.5 + 0.005 * i));
+  EXPECT_THROW(belief.know(MapSide::kWorld, wall(0.7)), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace smore

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <octomap/octomap.h>
+
+#include "../scenario/meshes.h"
+#include "../scenario/temporary_directory.h"
+#include "smore/common/result.h"
+#include "smore/mapping/octomap_export.h"
+#include "smore/mapping/prior_maps.h"
+
+namespace smore {
+namespace {
+
+// A bar in front of a peg, in the plane z = 0; lattices of 1 cm.
+Scenario sceneWith(const PriorSources& prior) {
+  Scenario scene;
+  scene.name = "small";
+  scene.voxel_size = 0.04;
+  scene.object = {{BoxShape{Vec3(0.1, 0.3, 0.06)}, Pose::Identity()}};
+  scene.environment = {{CylinderShape{0.05, 0.3}, makePose(Vec3(-0.3, 0.1, 0.0))}};
+  scene.workspace = {Vec3(-0.6, -0.4, -0.01), Vec3(0.2, 0.4, 0.01)};
+  scene.prior = prior;
+  return scene;
+}
+
+PriorSource truth() { return {}; }
+
+PriorSource fromFile(PriorFormat format, const std::string& file) {
+  PriorSource source;
+  source.format = format;
+  source.file = file;
+  return source;
+}
+
+enum class Said { kNothing, kFree, kMatter };
+
+Said saidAt(const Prior& prior, const Vec3& place) {
+  const auto probability = prior.known.probability(voxelAt(place, prior.known.voxelSize()));
+  if (!probability) return Said::kNothing;
+  return *probability >= kOccupied ? Said::kMatter : Said::kFree;
+}
+
+std::string problemOf(const Scenario& scene) {
+  try {
+    (void)makePriors(scene);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(PriorMaps, TheTruthSaysEverythingInThePlane) {
+  const Priors priors = makePriors(sceneWith({{truth()}, {truth()}}));
+  EXPECT_EQ(saidAt(priors.object.at(0), {0.041, 0.141, 0.001}), Said::kMatter);
+  EXPECT_EQ(saidAt(priors.object.at(0), {0.061, 0.0, 0.001}), Said::kFree);
+  EXPECT_EQ(saidAt(priors.object.at(0), {0.0, 0.0, 0.025}), Said::kNothing) << "above the plane";
+  EXPECT_EQ(saidAt(priors.world.at(0), {-0.3, 0.1, 0.001}), Said::kMatter);
+  EXPECT_EQ(saidAt(priors.world.at(0), {0.3, 0.3, 0.001}), Said::kFree);
+  EXPECT_EQ(priors.world.at(0).confidence, 0.999);
+}
+
+TEST(PriorMaps, ABoxIsCutOutAndThenMoved) {
+  PriorSource half;
+  half.box = Bounds{{-0.4, 0.1, -1.0}, {0.0, 1.0, 1.0}};
+  half.offset = {0.06, 0.0, 0.0};
+  half.confidence = 0.8;
+  const Prior prior = makePriors(sceneWith({{}, {half}})).world.at(0);
+  EXPECT_EQ(saidAt(prior, {-0.24, 0.121, 0.001}), Said::kMatter);
+  EXPECT_EQ(saidAt(prior, {-0.33, 0.121, 0.001}), Said::kFree) << "where the peg ends, moved";
+  EXPECT_EQ(saidAt(prior, {-0.24, 0.079, 0.001}), Said::kNothing) << "below the box";
+  EXPECT_EQ(saidAt(prior, {0.05, 0.2, 0.001}), Said::kFree) << "in the moved box only";
+  EXPECT_EQ(prior.confidence, 0.8);
+}
+
+TEST(PriorMaps, AMeshSaysWhatIsInItsOwnBox) {
+  TemporaryDirectory directory;
+  PriorSource mesh = fromFile(PriorFormat::kMesh, directory.write("cube.obj", cubeObj()));
+  mesh.scale = Vec3::Constant(0.1);
+  mesh.pose = makePose({0.2, 0.0, -0.05}, {0.0, 0.0, M_PI / 2.0});  // to x from 0.1 to 0.2
+  const Prior prior = makePriors(sceneWith({{mesh}, {}})).object.at(0);
+  EXPECT_EQ(saidAt(prior, {0.15, 0.05, 0.001}), Said::kMatter);
+  EXPECT_EQ(saidAt(prior, {0.15, 0.105, 0.001}), Said::kFree);
+  EXPECT_EQ(saidAt(prior, {0.15, 0.15, 0.001}), Said::kNothing);
+}
+
+TEST(PriorMaps, ACloudSaysWhereItsPointsAreAndNothingElse) {
+  TemporaryDirectory directory;
+  const PriorSource cloud =
+      fromFile(PriorFormat::kCloud,
+               directory.write("front.ply",
+                               "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
+                               "property float y\nproperty float z\nend_header\n"
+                               "0.105 0.005 0.001\n0.205 0.005 0.5\n"));
+  const Prior prior = makePriors(sceneWith({{}, {cloud}})).world.at(0);
+  EXPECT_EQ(saidAt(prior, {0.105, 0.005, 0.001}), Said::kMatter);
+  EXPECT_EQ(saidAt(prior, {0.125, 0.005, 0.001}), Said::kNothing);
+  EXPECT_EQ(saidAt(prior, {0.205, 0.005, 0.001}), Said::kNothing) << "above the plane";
+}
+
+TEST(PriorMaps, OctreesSayWhatIsMatterAndWhatIsFree) {
+  TemporaryDirectory directory;
+  VoxelGrid grid(0.05);
+  grid.set(voxelAt({0.12, 0.02, 0.02}, 0.05), 0.9F);
+  grid.set(voxelAt({0.17, 0.02, 0.02}, 0.05), 0.1F);
+  const auto tree = toOctree(grid);
+  ASSERT_TRUE(tree->write(directory.path() + "/map.ot"));
+  ASSERT_TRUE(tree->writeBinary(directory.path() + "/map.bt"));
+  for (const char* name : {"/map.ot", "/map.bt"}) {
+    const PriorSource source = fromFile(PriorFormat::kOctree, directory.path() + name);
+    const Prior prior = makePriors(sceneWith({{}, {source}})).world.at(0);
+    EXPECT_EQ(saidAt(prior, {0.12, 0.02, 0.001}), Said::kMatter) << name;
+    EXPECT_EQ(saidAt(prior, {0.17, 0.02, 0.001}), Said::kFree) << name;
+    EXPECT_EQ(saidAt(prior, {0.08, 0.02, 0.001}), Said::kNothing) << name;
+  }
+}
+
+TEST(PriorMaps, InSpaceLayersAboveThePlaneCountToo) {
+  Scenario scene = sceneWith({{truth()}, {}});
+  scene.motion = Motion::kSpatial;
+  const Prior prior = makePriors(scene).object.at(0);
+  EXPECT_EQ(saidAt(prior, {0.0, 0.0, 0.02}), Said::kMatter);
+  EXPECT_EQ(saidAt(prior, {0.0, 0.0, 0.05}), Said::kFree);
+}
+
+TEST(PriorMaps, WhatSaysNothingIsRefusedWithItsRemedy) {
+  PriorSource far;
+  far.box = Bounds{{5.0, 5.0, 5.0}, {6.0, 6.0, 6.0}};
+  EXPECT_NE(problemOf(sceneWith({{}, {far}})).find("says nothing"), std::string::npos);
+  Scenario task = sceneWith({{truth()}, {}});
+  task.object.clear();
+  task.environment.clear();
+  EXPECT_NE(problemOf(task).find("in simulation only"), std::string::npos);
+  TemporaryDirectory directory;
+  const std::string text = directory.write("map.ot", "no tree");
+  EXPECT_NE(problemOf(sceneWith({{}, {fromFile(PriorFormat::kOctree, text)}})).find("OctoMap"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace smore
