@@ -25,8 +25,8 @@ int main(int argc, char** argv) {
   try {
     const smore::Evidence evidence = smore::readEvidence(argv[1]);
     const smore::EvidenceSource& source = evidence.source;
-    smore::Method method =
-        smore::makeMethod(source.method, source.task, source.seed, source.parameters);
+    smore::Method method = smore::makeMethod(source.method, source.task, source.seed,
+                                             source.parameters, source.priors);
     int contacts = 0;
     for (const smore::ContactObservation& observation : evidence.observations) {
       method.observe(observation);

@@ -74,7 +74,8 @@ class TrialReplay {
 
  private:
   ScoredBelief makeBelief() const {
-    return {task_, evidence_.source.parameters, evidence_.source.seed};
+    const EvidenceSource& source = evidence_.source;
+    return {task_, source.parameters, source.seed, source.priors};
   }
 
   void observeUntil(std::size_t end) {

@@ -6,8 +6,8 @@
 namespace smore {
 
 ScoredBelief::ScoredBelief(const Scenario& task, const MethodParameters& parameters,
-                           std::uint64_t seed)
-    : method_(makeMethod(MethodKind::kSmore, task, seed, parameters)),
+                           std::uint64_t seed, const Priors& priors)
+    : method_(makeMethod(MethodKind::kSmore, task, seed, parameters, priors)),
       belief_(dynamic_cast<JointBelief*>(method_.maps.get())) {}
 
 double ScoredBelief::riskOf(const Path& path) const {

@@ -174,7 +174,7 @@ class MappingNode {
   bool onReset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
     keeper_->reset();
     response.success = true;
-    response.message = "the maps are empty";
+    response.message = "all observations are forgotten";
     return true;
   }
 

@@ -244,69 +244,6 @@ TEST_P(EvidenceFile, survivesAnyDamagedByte) {
   }
 }
 
-// A block of matter with free space around it, in voxels of a centimetre.
-Prior someKnowledge(int width) {
-  Prior prior{VoxelGrid(0.01), 0.9};
-  for (int x = -3; x < width + 3; ++x) {
-    for (int y = -5; y < 5; ++y) {
-      const bool matter = x >= 0 && x < width && y >= -2 && y < 2;
-      const VoxelKey key{static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), 0};
-      prior.known.set(key, matter ? 1.0F : 0.0F);
-    }
-  }
-  return prior;
-}
-
-class KnownBeforehand : public EvidenceFile {
- protected:
-  void SetUp() override {
-    source_.priors.object = {someKnowledge(4), someKnowledge(20)};
-    source_.priors.world = {someKnowledge(7)};
-  }
-};
-
-TEST_P(KnownBeforehand, isReadAsItWasWrittenAndMakesTheSameMaps) {
-  const auto observations = randomObservations(11, 800);
-  Method live =
-      makeMethod(source_.method, source_.task, source_.seed, source_.parameters, source_.priors);
-  for (const ContactObservation& observation : observations) live.observe(observation);
-  const Evidence evidence = readEvidence(record(observations));
-  EXPECT_TRUE(areTheSame(evidence.source.priors, source_.priors));
-  const EvidenceSource& source = evidence.source;
-  Method again =
-      makeMethod(source.method, source.task, source.seed, source.parameters, source.priors);
-  replay(evidence, &again);
-  expectSame(live.maps->world(), again.maps->world());
-  expectSame(live.maps->object(), again.maps->object());
-}
-
-TEST_P(KnownBeforehand, isRefusedWhereItsRecordIsDamaged) {
-  const std::string content = contentOf(record(randomObservations(12, 20)));
-  const auto damaged = [&](const std::string& from, const std::string& to) {
-    std::string text = content;
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return problemOf(text.replace(at, from.size(), to));
-  };
-  EXPECT_PRED2(says, damaged("\"map\":\"object\"", "\"map\":\"moon\""), "line 4: map");
-  EXPECT_PRED2(says, damaged("\"confidence\":0.9", "\"confidence\":1.0"), "confidence");
-  EXPECT_PRED2(says, damaged("\"matter\":[0,", "\"matter\":["), "matter: expected runs");
-  EXPECT_PRED2(says, damaged("\"matter\":[0,", "\"matter\":[0.5,"), "matter: expected runs");
-  EXPECT_PRED2(says, damaged("\"matter\":[0,", "\"matter\":[32767,"), "beyond the range");
-}
-
-INSTANTIATE_TEST_SUITE_P(Smore, KnownBeforehand, ::testing::Values(MethodKind::kSmore),
-                         [](const auto& instance) { return methodName(instance.param); });
-
-TEST(KnownBeforehandByOthers, isRefusedByMethodsThatCannotUseIt) {
-  Priors priors;
-  priors.world = {someKnowledge(3)};
-  for (const MethodKind kind : {MethodKind::kPaper, MethodKind::kCspace}) {
-    EXPECT_THROW((void)makeMethod(kind, someTask(), 1, {}, priors), InputError);
-    EXPECT_THROW((void)makeTwinMap(kind, someTask(), 1, {}, priors), InputError);
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(Methods, EvidenceFile,
                          ::testing::Values(MethodKind::kPaper, MethodKind::kCspace,
                                            MethodKind::kSmore),

@@ -119,48 +119,6 @@ gripper_object: {position: [4, 5, 6], rpy: [0, 0, 1]}
   EXPECT_NEAR(angleBetween(scenario.T_gripper_object, Pose::Identity()), 1.0, 1e-12);
 }
 
-TEST_F(ScenarioTest, priorsNeedNothingButTheirSource) {
-  directory_.write("part.obj", cubeObj());
-  directory_.write("front.pcd", "");
-  const Scenario scenario = load(minimal() + R"(
-prior:
-  object: [{source: truth}, {source: part.obj, position: [1, 2, 3], scale: [2, 2, 2]}]
-  world: [{source: front.pcd, min: [0, 0, 0], max: [1, 1, 1], offset: [0.06, 0, 0], confidence: 0.9}]
-)");
-  ASSERT_EQ(scenario.prior.object.size(), 2U);
-  EXPECT_EQ(scenario.prior.object[0].format, PriorFormat::kTruth);
-  EXPECT_FALSE(scenario.prior.object[0].box.has_value());
-  EXPECT_EQ(scenario.prior.object[0].offset, Vec3(0, 0, 0));
-  EXPECT_EQ(scenario.prior.object[0].confidence, 0.999);
-  EXPECT_EQ(scenario.prior.object[1].format, PriorFormat::kMesh);
-  EXPECT_EQ(scenario.prior.object[1].file, directory_.path() + "/part.obj");
-  EXPECT_EQ(Vec3(scenario.prior.object[1].pose.translation()), Vec3(1, 2, 3));
-  EXPECT_EQ(scenario.prior.object[1].scale, Vec3(2, 2, 2));
-  ASSERT_EQ(scenario.prior.world.size(), 1U);
-  EXPECT_EQ(scenario.prior.world[0].format, PriorFormat::kCloud);
-  EXPECT_EQ(scenario.prior.world[0].box->max, Vec3(1, 1, 1));
-  EXPECT_EQ(scenario.prior.world[0].offset, Vec3(0.06, 0, 0));
-  EXPECT_EQ(scenario.prior.world[0].confidence, 0.9);
-  const auto json = nlohmann::json::parse(toJson(scenario));
-  EXPECT_EQ(json["prior"]["object"][1]["format"], "mesh");
-  EXPECT_EQ(json["prior"]["world"][0]["confidence"], 0.9);
-}
-
-TEST_F(ScenarioTest, wrongPriorsAreToldWithTheirRemedy) {
-  const auto entry = [](const std::string& keys) {
-    return minimal() + "prior: {world: [{" + keys + "}]}\n";
-  };
-  expectProblem(entry("confidence: 0.9"), "source: missing");
-  expectProblem(entry("source: part.step"), "is none of: truth, a mesh");
-  expectProblem(entry("source: nowhere.stl"), "no file");
-  expectProblem(entry("source: truth, position: [0, 0, 0]"), "position: unknown key");
-  expectProblem(entry("source: truth, confidence: 1.0"), "confidence: '1.0' is out of range");
-  expectProblem(entry("source: truth, min: [0, 0, 0]"), "max: missing");
-  expectProblem(entry("source: truth, min: [0, 2, 0], max: [1, 1, 1]"), "not below max");
-  expectProblem(minimal() + "prior: {moon: []}\n", "moon: unknown key");
-  expectProblem(minimal() + "prior: {world: []}\n", "world");
-}
-
 TEST_F(ScenarioTest, allProblemsAreReportedAtOnce) {
   const std::string problem = problemOf("name: x\nfrction: 0.3\nvoxel_size: -1\ntask: fetch\n");
   for (const char* part : {"frction: unknown key", "voxel_size: '-1' is out of range",

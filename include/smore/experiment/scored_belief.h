@@ -19,7 +19,8 @@ struct WeighedPlace {
 /// The belief of the method smore as scores see it: all that is asked of it is asked here.
 class ScoredBelief {
  public:
-  ScoredBelief(const Scenario& task, const MethodParameters& parameters, std::uint64_t seed);
+  ScoredBelief(const Scenario& task, const MethodParameters& parameters, std::uint64_t seed,
+               const Priors& priors);
 
   void observe(const ContactObservation& observation) { belief_->observe(observation); }
 
