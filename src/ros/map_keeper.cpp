@@ -33,6 +33,7 @@ MapKeeper::MapKeeper(MakeMaps make_maps, const EvidenceSpacing& spacing,
       spacing_(spacing),
       state_{make_maps_(), EvidenceLog(spacing), {}, 0, 0.0},
       journal_(std::move(journal)) {
+  state_.first_revision = state_.maps->revision();  // what is known beforehand is no change
   writeJournal([this] { journal_->begin({}); });
   worker_ = std::thread([this] { work(); });
 }

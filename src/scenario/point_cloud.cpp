@@ -53,7 +53,7 @@ std::vector<std::string> wordsOf(const std::string& line) {
 }
 
 NumberType plyType(const std::string& name) {
-  static const std::map<std::string, NumberType> kTypes = {
+  static const std::map<std::string, NumberType> types = {
       {"char", numberType<std::int8_t>()},     {"int8", numberType<std::int8_t>()},
       {"uchar", numberType<std::uint8_t>()},   {"uint8", numberType<std::uint8_t>()},
       {"short", numberType<std::int16_t>()},   {"int16", numberType<std::int16_t>()},
@@ -62,19 +62,19 @@ NumberType plyType(const std::string& name) {
       {"uint", numberType<std::uint32_t>()},   {"uint32", numberType<std::uint32_t>()},
       {"float", numberType<float>()},          {"float32", numberType<float>()},
       {"double", numberType<double>()},        {"float64", numberType<double>()}};
-  const auto known = kTypes.find(name);
-  return known == kTypes.end() ? NumberType{} : known->second;
+  const auto known = types.find(name);
+  return known == types.end() ? NumberType{} : known->second;
 }
 
 NumberType pcdType(const std::string& kind, const std::string& size) {
-  static const std::map<std::string, NumberType> kTypes = {
+  static const std::map<std::string, NumberType> types = {
       {"I1", numberType<std::int8_t>()},  {"U1", numberType<std::uint8_t>()},
       {"I2", numberType<std::int16_t>()}, {"U2", numberType<std::uint16_t>()},
       {"I4", numberType<std::int32_t>()}, {"U4", numberType<std::uint32_t>()},
       {"I8", numberType<std::int64_t>()}, {"U8", numberType<std::uint64_t>()},
       {"F4", numberType<float>()},        {"F8", numberType<double>()}};
-  const auto known = kTypes.find(kind + size);
-  return known == kTypes.end() ? NumberType{} : known->second;
+  const auto known = types.find(kind + size);
+  return known == types.end() ? NumberType{} : known->second;
 }
 
 std::size_t countOf(const std::string& word, const std::string& file) {

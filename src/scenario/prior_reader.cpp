@@ -25,13 +25,13 @@ std::string extensionOf(const std::string& file) {
 
 // PLY files are meshes where they have faces.
 std::optional<PriorFormat> formatOf(const std::string& source) {
-  static const std::map<std::string, PriorFormat> kFormats = {
+  static const std::map<std::string, PriorFormat> formats = {
       {".stl", PriorFormat::kMesh}, {".obj", PriorFormat::kMesh},  {".dae", PriorFormat::kMesh},
       {".ply", PriorFormat::kMesh}, {".pcd", PriorFormat::kCloud}, {".ot", PriorFormat::kOctree},
       {".bt", PriorFormat::kOctree}};
   if (source == "truth") return PriorFormat::kTruth;
-  const auto known = kFormats.find(extensionOf(source));
-  if (known == kFormats.end()) return std::nullopt;
+  const auto known = formats.find(extensionOf(source));
+  if (known == formats.end()) return std::nullopt;
   return known->second;
 }
 
