@@ -49,13 +49,13 @@ void SurfaceExtents::addTouches() {
     for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
       const int place = samples_.explanations[m][k];
       if (place == kFalseContact) continue;
-      const auto isKnown = [&](MapSide side) {
+      const auto is_known = [&](MapSide side) {
         const int contact = static_cast<int>(k);
         const PriorMask covering = samples_.prior.evidence.covering(side, contact, place);
         return (samples_.prior.worldsOf(covering) & bit) != 0;
       };
-      if (!isKnown(MapSide::kObject)) object_.add(samples_.contacts[k].object.at(place), bit);
-      if (!isKnown(MapSide::kWorld)) world_.add(samples_.contacts[k].world.at(place), bit);
+      if (!is_known(MapSide::kObject)) object_.add(samples_.contacts[k].object.at(place), bit);
+      if (!is_known(MapSide::kWorld)) world_.add(samples_.contacts[k].world.at(place), bit);
     }
   }
 }
