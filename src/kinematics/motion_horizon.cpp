@@ -10,8 +10,9 @@ namespace {
 // Points of a horizon lie at least this far apart [s]: a segment between two nearer ones says
 // nothing that rounding does not.
 constexpr double kLeastSpacing = 1e-3;
-// The shortest brake [s], a few cycles of a controller: a robot at rest is told to stay.
-constexpr double kShortestBrake = 0.01;
+// The shortest brake [s]: where it begins is known late, so that a robot that moves is ahead of it and
+// comes back. In less time what it holds would be jerked, and the jerk felt as a blow.
+constexpr double kShortestBrake = 0.04;
 
 double greatestSpeed(const std::vector<double>& velocities) {
   double greatest = 0.0;

@@ -69,7 +69,8 @@ TEST(Brake, ofAPausedRobotIsFinite) {
 
 TEST(Horizon, followsTheMotionAndThenBrakes) {
   const JointTrajectory motion = cruise();
-  const HorizonParameters parameters;
+  HorizonParameters parameters;
+  parameters.deceleration = 4.0;  // the brake is longer than the shortest
   const JointTrajectory horizon = horizonOf(motion, 0.35, 1.0, parameters);
   const auto path = followed(stateAt(motion.points, 0.35), horizon);
   for (double time = 0.0; time < parameters.duration; time += 0.003) {
