@@ -10,8 +10,8 @@ namespace {
 // Points of a horizon lie at least this far apart [s]: a segment between two nearer ones says
 // nothing that rounding does not.
 constexpr double kLeastSpacing = 1e-3;
-// The shortest brake [s]: where it begins is known late, so that a robot that moves is ahead of it and
-// comes back. In less time what it holds would be jerked, and the jerk felt as a blow.
+// The shortest brake [s]: where it begins is known late, so that a robot that moves is ahead of it
+// and comes back. In less time what it holds would be jerked, and the jerk felt as a blow.
 constexpr double kShortestBrake = 0.04;
 
 double greatestSpeed(const std::vector<double>& velocities) {
