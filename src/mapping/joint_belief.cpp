@@ -11,6 +11,7 @@
 #include "smore/mapping/contact_merging.h"
 #include "smore/mapping/free_tracks.h"
 #include "smore/mapping/marginal_map.h"
+#include "smore/mapping/repeated_touches.h"
 
 namespace smore {
 namespace {
@@ -261,6 +262,13 @@ SampledWorlds JointBelief::sampledWorlds(const std::array<int, kUnits>& counts,
   return SampledWorlds(std::move(parts), HypothesisWeights(weights));
 }
 
+// Of the contacts that take part.
+std::vector<Pose> JointBelief::touchedPoses() const {
+  std::vector<Pose> poses;
+  for (const auto& [id, contact] : contacts_) poses.push_back(toMap(contact.T_world_object));
+  return poses;
+}
+
 WorldsAtUnit JointBelief::worldsAt(const EvidenceAtUnit& evidence,
                                    const ExplainedEvidence& explained,
                                    const std::vector<int>& members) const {
@@ -273,6 +281,10 @@ WorldsAtUnit JointBelief::worldsAt(const EvidenceAtUnit& evidence,
   for (const auto& [contact_id, touched] : poses_without_line_) {
     if (!touched) continue;
     worlds.setTouching(touched->T_map_object.cast<float>(), lengths.feature.reach);
+  }
+  for (const Pose& T_map_object :
+       repeatedTouches(touchedPoses(), lengths.feature.tolerance, lengths.feature.reach)) {
+    worlds.setTouching(T_map_object.cast<float>(), lengths.feature.reach);
   }
   return worlds;
 }

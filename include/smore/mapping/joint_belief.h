@@ -95,6 +95,7 @@ class JointBelief : public TwinMap {
   std::optional<ContactHypotheses> widestPlacesOf(const Pose& T_world_object,
                                                   const LineOfAction& line) const;
   SampledWorlds sampledWorlds(const std::array<int, kUnits>& counts, TouchedPlaces* touched) const;
+  std::vector<Pose> touchedPoses() const;
   WorldsAtUnit worldsAt(const EvidenceAtUnit& evidence, const ExplainedEvidence& explained,
                         const std::vector<int>& members) const;
 
