@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Relative links of the Markdown pages lead to files, scripts and scenes that they name exist, and quoted numbers are
-those of docs/benchmarks.md.
+"""Relative links of the Markdown pages lead to files, scripts and scenes that they name exist, prose is at most 120
+columns wide, and quoted numbers are those of docs/benchmarks.md.
 
 A number is quoted as [6.6](docs/benchmarks.md "s_shape_perturbed smore mean"): first cells of the row, and the column.
 """
@@ -9,6 +9,7 @@ import re
 
 from project import ROOT, files, report, say
 
+COLUMNS = 120  # of prose: a row of a table, a picture or a command stands in one line
 LINK = re.compile(r"\]\((?!https?:|#|mailto:)([^)#\s]+)")
 NAMED = re.compile(r"\b(?:scripts|config|launch|python|docs|src|include|test|benchmark)/[\w./-]*\w")
 QUOTE = re.compile(r'\[([^\]]+)\]\([^)\s]*benchmarks\.md "([^"]+)"\)')
@@ -41,7 +42,19 @@ def numbers(text):
     return found
 
 
+def wide_lines(lines):
+    """Numbers and widths of the lines of prose that are too wide."""
+    fenced = False
+    for number, line in enumerate(lines, 1):
+        if line.startswith("```"):
+            fenced = not fenced
+        elif len(line) > COLUMNS and not fenced and not line.startswith(("|", "![", "    ")):
+            yield number, len(line)
+
+
 def problems(path, benchmarks):
+    for number, width in wide_lines(path.read_text().splitlines()):
+        yield say(path, number, f"{width} columns; at most {COLUMNS}")
     for number, line in enumerate(path.read_text().splitlines(), 1):
         for target in LINK.findall(line):
             if not (path.parent / target).exists():
