@@ -156,17 +156,19 @@ class RobotTwin(unittest.TestCase):
         self.assertEqual(self.client.get_result().message, "reached the limit of 1 collisions")
 
     def stopped_in_contact(self):
-        """Touches and stops; the contact's first observation, None where a busy processor let it retreat first."""
+        """Touches and stops; the contact's first observation, None where a busy processor let it retreat first, if only
+        by the tenth of a millimetre that a rigid peg takes to let go."""
         first = self.touch()
         self.assertTrue(self.stop().success)
         self.assertTrue(self.client.wait_for_result(rospy.Duration(DEADLINE)))
-        return first if "may still press" in self.client.get_result().message else None
+        told = "may still press" in self.client.get_result().message
+        self.assertTrue(self.stays(), "it moves after the stop")
+        return first if told and self.contacts.messages()[-1].state == ContactObservation.CONTACT else None
 
     def test_a_stop_in_contact_moves_nothing_and_the_next_goal_backs_off_before_it_zeroes(self):
         stopped = []
         self.assertTrue(wait_until(lambda: stopped.append(self.stopped_in_contact()) or stopped[-1]))
         first = stopped[-1]
-        self.assertTrue(self.stays(), "it moves after the stop")
         phases = self.send_goal(RetrieveGoal(max_collisions=1))
         self.assertTrue(wait_until(lambda: "planning" in phases), "no next goal")
         self.assertGreater(distance(first, self.contacts.messages()[-1]), HAS_BACKED_OFF)
