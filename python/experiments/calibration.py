@@ -3,10 +3,9 @@
 import numpy as np
 import plot_reliability
 
-from experiments.trials import Trial
+from experiments.trials import Trial, reported_seeds
 
 WHAT = "reliability of the risk that plans state, in the plane and in space"
-FIRST_SEED = 1001
 SCENES = {
     "plane": ("s_shape_perturbed", "hook_on_peg", "c_on_peg", "t_in_slot", "comb", "spiral"),
     "space": ("slit", "window", "hook_on_rail"),
@@ -16,7 +15,7 @@ MOST_COLLISIONS = 60
 
 
 def trials(_directory, quick):
-    seeds = range(FIRST_SEED, FIRST_SEED + (QUICK_COUNT if quick else COUNT))
+    seeds = reported_seeds(QUICK_COUNT if quick else COUNT)
     options = ("--max-collisions", str(MOST_COLLISIONS))
     return [
         Trial(f"{where}/{scene}_{seed}", scene, seed, options=options)

@@ -4,17 +4,16 @@ import statistics
 
 import plot_results
 
-from experiments.trials import Trial
+from experiments.trials import Trial, reported_seeds
 
 WHAT = "collisions until the object is out on the paper's scene, all methods beside the paper's (its figure 7)"
 SCENE = "s_shape_two_pegs"
-FIRST_SEED = 1001
 METHODS = ("smore", "paper", "cspace")
 COUNT, QUICK_COUNT = 10, 2
 
 
 def trials(_directory, quick):
-    seeds = range(FIRST_SEED, FIRST_SEED + (QUICK_COUNT if quick else COUNT))
+    seeds = reported_seeds(QUICK_COUNT if quick else COUNT)
     return [Trial(f"{method}_{seed}", SCENE, seed, method) for method in METHODS for seed in seeds]
 
 

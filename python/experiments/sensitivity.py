@@ -9,11 +9,10 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from experiments.trials import ROOT, Trial
+from experiments.trials import ROOT, Trial, reported_seeds
 
 WHAT = "voxel size, contact threshold, friction, errors of lines and noise of the sensor against collisions and maps"
 BASE = ROOT / "config/scenarios/s_shape_perturbed.yaml"
-FIRST_SEED = 1001
 COUNT, QUICK_COUNT = 10, 1
 MOST_COLLISIONS = 60
 # Key of a scenario, the form of its value, the values, and the axis' label.
@@ -42,7 +41,7 @@ def trials(directory, quick):
         for value in values:
             scene = scenes / f"{key}_{value}.yaml"
             scene.write_text(scenario_with(key, form.format(value)))
-            for seed in range(FIRST_SEED, FIRST_SEED + (QUICK_COUNT if quick else COUNT)):
+            for seed in reported_seeds(QUICK_COUNT if quick else COUNT):
                 asked.append(Trial(f"{key}={value}/{seed}", str(scene), seed, options=options))
     return asked
 
@@ -66,7 +65,8 @@ def measured(records, key, value):
 def report(records, _directory):
     """The table as text, and the figure by its name."""
     lines = ["| key | value | mean | most | at the goal | object: precision | world: precision |", "|---" * 7 + "|"]
-    figure, panels = plt.subplots(1, len(SWEEPS), figsize=(3.0 * len(SWEEPS), 3.2), sharey=True, constrained_layout=True)
+    size = (3.0 * len(SWEEPS), 3.2)
+    figure, panels = plt.subplots(1, len(SWEEPS), figsize=size, sharey=True, constrained_layout=True)
     for axes, (key, _, values, label) in zip(panels, SWEEPS):
         for place, value in enumerate(values):
             counts, reached, maps = measured(records, key, value)

@@ -14,6 +14,11 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build/devel/lib/smore/smore_experiment"
 
 
+def reported_seeds(count, first=1001):
+    """Seeds of results that are reported: below 1000 parameters are chosen."""
+    return range(first, first + count)
+
+
 @dataclasses.dataclass(frozen=True)
 class Trial:
     """One trial; `name` tells it from the others of its experiment."""
@@ -84,7 +89,8 @@ def run_one(trial):
         output = pathlib.Path(folder) / "result.json"
         done = subprocess.run(trial.command(output), stderr=subprocess.PIPE, text=True)
         if done.returncode != 0:
-            raise TrialError(f"{trial.name}: {done.stderr.strip().splitlines()[-1:] or done.returncode}")
+            said = done.stderr.strip().splitlines()
+            raise TrialError(f"{trial.name}: {said[-1] if said else f'exit code {done.returncode}'}")
         return json.loads(output.read_text())["trials"][0]
 
 

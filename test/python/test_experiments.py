@@ -82,8 +82,8 @@ class ExperimentsTest(unittest.TestCase):
         scene.parent.mkdir()
         for experiment in (figure7, calibration, sensitivity, generality):
             if experiment is generality:
-                scene.write_text("# Object of a star, obstacles of pegs, 1 times the common size.\n")
-                (scene.parent / "drafts.json").write_text('{"planar_1001": {"no way out was found": 2}}')
+                drawn = {"object": "star", "obstacles": "pegs", "scale": 2.5, "rejected": {"no way out was found": 2}}
+                (scene.parent / "scenes.json").write_text(json.dumps({"planar_1001": drawn}))
                 asked = [Trial("planar_1001", str(scene), 1001)]
             else:
                 asked = experiment.trials(self.folder, True)
