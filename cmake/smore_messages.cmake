@@ -1,10 +1,10 @@
 # Messages, services and actions of this package.
 
-add_message_files(DIRECTORY msg FILES ContactObservation.msg Evidence.msg LineOfAction.msg)
-add_service_files(DIRECTORY srv FILES CheckPose.srv LoadBelief.srv PlanPath.srv PlanTouch.srv SaveBelief.srv
-  SaveMaps.srv TwinMaps.srv)
+add_message_files(DIRECTORY msg FILES ContactObservation.msg Evidence.msg LineOfAction.msg Prior.msg)
+add_service_files(DIRECTORY srv FILES CheckPose.srv InsertPrior.srv LoadBelief.srv PlanPath.srv PlanTouch.srv
+  SaveBelief.srv SaveMaps.srv TwinMaps.srv)
 add_action_files(DIRECTORY action FILES Retrieve.action)
 # Headers and Python modules only.
 generate_messages(
-  DEPENDENCIES actionlib_msgs geometry_msgs nav_msgs octomap_msgs std_msgs
+  DEPENDENCIES actionlib_msgs geometry_msgs nav_msgs octomap_msgs sensor_msgs std_msgs
   LANGS gencpp genpy)

@@ -6,10 +6,8 @@
 #include "smore/mapping/octomap_export.h"
 
 namespace smore {
-namespace {
 
-// In whatever order their voxels stand.
-bool isTheSame(const Prior& a, const Prior& b) {
+bool areTheSame(const Prior& a, const Prior& b) {
   if (a.confidence != b.confidence || a.known.voxelSize() != b.known.voxelSize() ||
       a.known.size() != b.known.size()) {
     return false;
@@ -19,15 +17,6 @@ bool isTheSame(const Prior& a, const Prior& b) {
                        const auto other = b.known.probability(voxel.key);
                        return other && (*other >= kOccupied) == (voxel.probability >= kOccupied);
                      });
-}
-
-}  // namespace
-
-bool areTheSame(const Priors& a, const Priors& b) {
-  const auto same = [](const std::vector<Prior>& one, const std::vector<Prior>& other) {
-    return std::equal(one.begin(), one.end(), other.begin(), other.end(), isTheSame);
-  };
-  return same(a.object, b.object) && same(a.world, b.world);
 }
 
 }  // namespace smore

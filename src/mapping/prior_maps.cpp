@@ -126,7 +126,8 @@ class PriorMaker {
 
  private:
   static std::string nameOf(const PriorSource& entry) {
-    return entry.format == PriorFormat::kTruth ? "truth" : entry.file;
+    if (entry.format == PriorFormat::kTruth) return "truth";
+    return entry.file.empty() ? "the cloud" : entry.file;
   }
 
   Source read(const PriorSource& entry) const {
@@ -162,7 +163,7 @@ class PriorMaker {
   }
 
   Source cloud(const PriorSource& entry) const {
-    std::vector<Vec3> points = loadPointCloud(entry.file);
+    std::vector<Vec3> points = entry.file.empty() ? entry.points : loadPointCloud(entry.file);
     for (Vec3& point : points) point = entry.pose * point;
     return ofGrid(gridOfPoints(points, voxel_size_), Pose::Identity());
   }
@@ -210,12 +211,16 @@ class PriorMaker {
 Priors makePriors(const Scenario& scene) {
   Priors priors;
   for (const PriorSource& entry : scene.prior.object) {
-    priors.object.push_back(PriorMaker(scene, true).make(entry));
+    priors.object.push_back(makePrior(scene, MapSide::kObject, entry));
   }
   for (const PriorSource& entry : scene.prior.world) {
-    priors.world.push_back(PriorMaker(scene, false).make(entry));
+    priors.world.push_back(makePrior(scene, MapSide::kWorld, entry));
   }
   return priors;
+}
+
+Prior makePrior(const Scenario& scene, MapSide side, const PriorSource& source) {
+  return PriorMaker(scene, side == MapSide::kObject).make(source);
 }
 
 }  // namespace smore

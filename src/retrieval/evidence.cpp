@@ -99,9 +99,7 @@ class EvidenceReader {
     } else if (kind == "outcome") {
       evidence_.outcome = readOutcome(record);
     } else if (kind == "prior") {
-      Priors& priors = evidence_.source.priors;
-      (readPriorSide(record) == MapSide::kObject ? priors.object : priors.world)
-          .push_back(readPrior(record));
+      evidence_.source.priors.of(readPriorSide(record)).push_back(readPrior(record));
     } else if (kind != "truth") {  // which is for scores alone
       record.fail("record", "unknown kind '" + kind + "'; the file is damaged");
     }

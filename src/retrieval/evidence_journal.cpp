@@ -69,7 +69,9 @@ EvidenceJournal::EvidenceJournal(const std::string& directory, EvidenceSource so
   }
 }
 
-void EvidenceJournal::begin(const std::vector<ContactObservation>& observations) {
+void EvidenceJournal::begin(const Priors& priors,
+                            const std::vector<ContactObservation>& observations) {
+  source_.priors = priors;
   const std::string name = fileName(directory_, newestNumber(directory_) + 1);
   file_ = std::make_unique<OpenEvidence>(name, source_, observations);
 }

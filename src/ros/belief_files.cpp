@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/ros/belief_files.h"
 
+#include <octomap/octomap.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
 
 #include "smore/common/result.h"
+#include "smore/mapping/octomap_export.h"
 
 namespace smore {
 namespace {
@@ -28,6 +31,24 @@ std::string belowRosHome(const std::string& path) {
   return (fs::path(home != nullptr ? home : "/") / ".ros" / path).string();
 }
 
+void saveMaps(const MapKeeper& keeper, const std::string& directory) {
+  const fs::path folder(directory);
+  if (!folder.is_absolute()) {
+    throw InputError("'" + directory + "' is not an absolute path; give one");
+  }
+  std::error_code problem;
+  fs::create_directories(folder, problem);
+  std::unique_ptr<octomap::OcTree> world, object;
+  keeper.access([&](const MapState& state) {
+    world = toOctree(state.maps->world());
+    object = toOctree(state.maps->object());
+  });
+  if (problem || !world->write(folder / "world.ot") || !object->write(folder / "object.ot")) {
+    throw std::runtime_error("cannot write into '" + directory +
+                             "'; check that it is a directory that may be written");
+  }
+}
+
 BeliefFiles::BeliefFiles(std::string folder, EvidenceSource source)
     : folder_(std::move(folder)), source_(std::move(source)) {}
 
@@ -39,9 +60,13 @@ std::string BeliefFiles::save(const MapKeeper& keeper, const std::string& name,
   }
   std::error_code problem;
   fs::create_directories(fs::path(file).parent_path(), problem);
+  EvidenceSource source = source_;
   std::vector<ContactObservation> observations;
-  keeper.access([&](const MapState& state) { observations = state.log.from(0); });
-  writeEvidence(file, source_, observations);
+  keeper.access([&](const MapState& state) {
+    source.priors = state.priors;
+    observations = state.log.from(0);
+  });
+  writeEvidence(file, source, observations);
   return file;
 }
 
@@ -56,12 +81,7 @@ std::string BeliefFiles::loadFrom(const std::string& file, MapKeeper* keeper) co
     throw InputError(file + ": recorded in " + motionName(motion) + " motion, this task is " +
                      motionName(source_.task.motion) + "; load evidence of the same kind");
   }
-  if (!areTheSame(evidence.source.priors, source_.priors)) {
-    throw InputError(file +
-                     ": recorded with other prior knowledge than this scenario's; start with " +
-                     "the scenario of that record");
-  }
-  keeper->load(evidence.observations);
+  keeper->load(evidence.source.priors, evidence.observations);
   const auto lines = std::count_if(evidence.observations.begin(), evidence.observations.end(),
                                    [](const auto& observation) { return bool(observation.line); });
   return "loaded " + std::to_string(evidence.observations.size()) + " observations with " +

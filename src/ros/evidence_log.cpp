@@ -14,10 +14,4 @@ std::vector<ContactObservation> EvidenceLog::from(std::uint64_t first) const {
   return {entries_.begin() + static_cast<std::ptrdiff_t>(first), entries_.end()};
 }
 
-void EvidenceLog::restart() {
-  entries_.clear();
-  filter_.restart();
-  ++epoch_;
-}
-
 }  // namespace smore

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "smore/common/result.h"
+#include "smore/mapping/learnt_matter.h"
+#include "smore/mapping/prior_evidence.h"
 
 namespace smore {
 namespace {
@@ -25,16 +27,22 @@ bool learn(const ContactObservation& observation, MapState* state) {
   return true;
 }
 
+/// Of no other process: who follows a log must see that it is another one.
+std::uint64_t epochOfNow() {
+  return static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
+}
+
 }  // namespace
 
 MapKeeper::MapKeeper(MakeMaps make_maps, const EvidenceSpacing& spacing,
-                     std::unique_ptr<EvidenceJournal> journal)
+                     std::unique_ptr<EvidenceJournal> journal, Priors told)
     : make_maps_(std::move(make_maps)),
       spacing_(spacing),
-      state_{make_maps_(), EvidenceLog(spacing), {}, 0, 0.0},
+      told_(std::move(told)),
+      state_(made(told_, {})),
       journal_(std::move(journal)) {
-  state_.first_revision = state_.maps->revision();  // what is known beforehand is no change
-  writeJournal([this] { journal_->begin({}); });
+  state_.log.continueAfter(epochOfNow());
+  writeJournal([this] { journal_->begin(told_, {}); });
   worker_ = std::thread([this] { work(); });
 }
 
@@ -67,35 +75,74 @@ bool MapKeeper::waitFor(double stamp, double timeout) const {
 }
 
 void MapKeeper::reset() {
-  const std::scoped_lock lock(queue_mutex_, state_mutex_);
-  queue_.clear();
-  state_.maps->reset();
-  state_.log.restart();
-  state_.lines.clear();
-  state_.first_revision = state_.maps->revision();
-  writeJournal([this] { journal_->begin({}); });
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  forgetQueue();
+  replace(made(told_, {}));
 }
 
-void MapKeeper::load(const std::vector<ContactObservation>& observations) {
-  MapState loaded{make_maps_(), EvidenceLog(spacing_), {}, 0, 0.0};
-  loaded.first_revision = loaded.maps->revision();
+void MapKeeper::reset(MapSide side) {
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  const bool of_object = side == MapSide::kObject;
+  const MapSide kept = of_object ? MapSide::kWorld : MapSide::kObject;
+  const VoxelGrid& learnt = of_object ? state_.maps->world() : state_.maps->object();
+  Priors priors = state_.priors;
+  priors.of(side) = told_.of(side);
+  const int room = kMostPriors - static_cast<int>(priors.of(side).size());
+  for (Prior& piece : learntMatter(learnt, priors.of(kept), room)) {
+    priors.of(kept).push_back(std::move(piece));
+  }
+  MapState state = made(priors, {});
+  forgetQueue();
+  replace(std::move(state));
+}
+
+void MapKeeper::know(MapSide side, const Prior& prior) {
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  Priors priors = state_.priors;
+  std::vector<Prior>& pieces = priors.of(side);
+  const bool is_known = std::any_of(pieces.begin(), pieces.end(),
+                                    [&](const Prior& piece) { return areTheSame(piece, prior); });
+  if (is_known) return;
+  pieces.push_back(prior);
+  replace(made(priors, state_.log.from(0)));
+}
+
+void MapKeeper::load(const Priors& priors, const std::vector<ContactObservation>& observations) {
   int contacts = 0;
+  for (const ContactObservation& observation : observations) {
+    contacts = std::max(contacts, observation.contact_id);
+  }
+  MapState loaded = made(priors, observations);
+  const std::lock_guard<std::mutex> lock(state_mutex_);
+  forgetQueue();
+  numbering_.continueAfter(contacts);
+  replace(std::move(loaded));
+}
+
+MapState MapKeeper::made(const Priors& priors,
+                         const std::vector<ContactObservation>& observations) const {
+  MapState state{make_maps_(priors), priors, EvidenceLog(spacing_), {}};
+  state.first_revision = state.maps->revision();  // what is known beforehand is no change
   try {
-    for (const ContactObservation& observation : observations) {
-      contacts = std::max(contacts, observation.contact_id);
-      learn(observation, &loaded);
-    }
+    for (const ContactObservation& observation : observations) learn(observation, &state);
   } catch (const std::out_of_range& error) {
     throw InputError(std::string("an observation lies outside of the maps (") + error.what() +
                      "); use larger voxels");
   }
-  const std::scoped_lock lock(queue_mutex_, state_mutex_);
+  return state;
+}
+
+void MapKeeper::replace(MapState state) {
+  state.log.continueAfter(state_.log.epoch());
+  state.earlier = revisionOf(state_) + 1;
+  state.stamp = state_.stamp;
+  state_ = std::move(state);
+  writeJournal([this] { journal_->begin(state_.priors, state_.log.from(0)); });
+}
+
+void MapKeeper::forgetQueue() {
+  const std::lock_guard<std::mutex> lock(queue_mutex_);
   queue_.clear();
-  numbering_.continueAfter(contacts);
-  loaded.log.continueAfter(state_.log.epoch());
-  loaded.stamp = state_.stamp;
-  state_ = std::move(loaded);
-  writeJournal([this] { journal_->begin(state_.log.from(0)); });
 }
 
 std::optional<std::string> MapKeeper::takeProblem() {

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <octomap/octomap.h>
 #include <octomap_msgs/GetOctomap.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
-#include <filesystem>
-
 #include "mapping_parameters.h"
-#include "smore/mapping/octomap_export.h"
+#include "smore/mapping/prior_maps.h"
 #include "smore/ros/belief_files.h"
-#include "smore/ros/map_keeper.h"
+#include "smore/ros/evidence_messages.h"
 #include "smore/ros/map_publisher.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
+#include "smore/ros/prior_request.h"
 #include "smore/ros/scene_markers.h"
 #include "smore/ros/throttle.h"
 
@@ -48,11 +46,11 @@ std::unique_ptr<MapKeeper> makeKeeper(const MappingParameters& parameters,
                                       const EvidenceSource& source, const BeliefFiles& files) {
   const auto earlier = earlierEvidence(parameters);
   auto keeper = std::make_unique<MapKeeper>(
-      [source] {
+      [source](const Priors& priors) {
         return makeTwinMap(source.method, source.task, source.seed, source.parameters.belief,
-                           source.priors);
+                           priors);
       },
-      spacingFor(source.task), makeJournal(parameters, source));
+      spacingFor(source.task), makeJournal(parameters, source), source.priors);
   if (earlier) ROS_INFO_STREAM(files.loadFrom(*earlier, keeper.get()));
   return keeper;
 }
@@ -63,6 +61,7 @@ class MappingNode {
  public:
   MappingNode(const MappingParameters& parameters, const EvidenceSource& source)
       : parameters_(parameters),
+        source_(source),
         files_(belowRosHome(parameters.beliefs), source),
         keeper_(makeKeeper(parameters, source, files_)),
         service_node_(makeServiceNode()),
@@ -99,6 +98,9 @@ class MappingNode {
     servers_ = {
         service_node_.advertiseService(names::kTwinMaps, &MappingNode::onTwinMaps, this),
         service_node_.advertiseService(names::kResetMaps, &MappingNode::onReset, this),
+        offerReset(names::kWorldMap, MapSide::kWorld),
+        offerReset(names::kObjectMap, MapSide::kObject),
+        service_node_.advertiseService(names::kInsertPrior, &MappingNode::onInsertPrior, this),
         service_node_.advertiseService(names::kSaveMaps, &MappingNode::onSave, this),
         service_node_.advertiseService(names::kSaveBelief, &MappingNode::onSaveBelief, this),
         service_node_.advertiseService(names::kLoadBelief, &MappingNode::onLoadBelief, this),
@@ -155,20 +157,15 @@ class MappingNode {
 
   void fill(const smore_msgs::TwinMaps::Request& request, const MapState& state,
             smore_msgs::TwinMaps::Response* response) const {
-    response->revision = state.maps->revision();
+    response->revision = revisionOf(state);
     response->stamp = timeOf(state.stamp);
     if (request.with_octrees) {
       response->world = fullOctomap(state.maps->world(), world_.headerAt(response->stamp));
       response->object = fullOctomap(state.maps->object(), object_.headerAt(response->stamp));
     }
     if (!request.with_evidence) return;
-    const bool same_epoch = request.epoch == state.log.epoch();
-    response->evidence.epoch = state.log.epoch();
-    response->evidence.changes = changesOf(state);
-    response->evidence.first = same_epoch ? request.evidence_from : 0;
-    for (const ContactObservation& entry : state.log.from(response->evidence.first)) {
-      response->evidence.observations.push_back(toMessage(entry, parameters_.frames));
-    }
+    response->evidence =
+        evidenceSince(state, request.epoch, request.evidence_from, parameters_.frames);
   }
 
   bool onReset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
@@ -178,27 +175,44 @@ class MappingNode {
     return true;
   }
 
-  bool onSave(smore_msgs::SaveMaps::Request& request, smore_msgs::SaveMaps::Response& response) {
-    const std::filesystem::path directory(request.directory);
-    response.message = "'" + request.directory + "' is not an absolute path; give one";
-    if (!directory.is_absolute()) return true;
-    std::error_code problem;
-    std::filesystem::create_directories(directory, problem);
-    response.success = !problem && saveMaps(directory);
-    response.message = response.success ? "wrote world.ot and object.ot into " + request.directory
-                                        : "cannot write into '" + request.directory +
-                                              "'; check that it is a directory that may be written";
+  ros::ServiceServer offerReset(const std::string& space, MapSide side) {
+    using Trigger = std_srvs::Trigger;
+    const boost::function<bool(Trigger::Request&, Trigger::Response&)> reply =
+        [this, space, side](Trigger::Request& /*request*/, Trigger::Response& response) {
+          response.success = tell(&response.message, [&] { return forget(space, side); });
+          return true;
+        };
+    return service_node_.advertiseService(space + "/" + names::kResetMaps, reply);
+  }
+
+  std::string forget(const std::string& map, MapSide side) {
+    if (source_.method != MethodKind::kSmore) {
+      throw InputError("the method " + methodName(source_.method) +
+                       " cannot keep one map without the other; forget both with reset, or use "
+                       "the method smore");
+    }
+    keeper_->reset(side);
+    return "the " + map + " map is forgotten; matter of the other one is known beforehand now";
+  }
+
+  bool onInsertPrior(smore_msgs::InsertPrior::Request& request,
+                     smore_msgs::InsertPrior::Response& response) {
+    response.success = tell(&response.message, [&] {
+      const PriorRequest told = readRequest(request, parameters_.frames);
+      const Prior prior = makePrior(source_.task, told.side, told.source);
+      keeper_->know(told.side, prior);
+      return "known of the " + request.map + " now: " + std::to_string(prior.known.size()) +
+             " voxels of " + (request.file.empty() ? "the cloud" : request.file);
+    });
     return true;
   }
 
-  bool saveMaps(const std::filesystem::path& directory) const {
-    std::unique_ptr<octomap::OcTree> world, object;
-    keeper_->access([&](const MapState& state) {
-      world = toOctree(state.maps->world());
-      object = toOctree(state.maps->object());
+  bool onSave(smore_msgs::SaveMaps::Request& request, smore_msgs::SaveMaps::Response& response) {
+    response.success = tell(&response.message, [&] {
+      saveMaps(*keeper_, request.directory);
+      return "wrote world.ot and object.ot into " + request.directory;
     });
-    return world->write((directory / "world.ot").string()) &&
-           object->write((directory / "object.ot").string());
+    return true;
   }
 
   bool onSaveBelief(smore_msgs::SaveBelief::Request& request,
@@ -234,7 +248,7 @@ class MappingNode {
     std::uint64_t revision = 0;
     ros::Time stamp;
     keeper_->access([&](const MapState& state) {
-      revision = state.maps->revision();
+      revision = revisionOf(state);
       stamp = timeOf(state.stamp);
       lines = state.lines;
       if (world_.isDue(revision)) world = state.maps->world();
@@ -252,6 +266,7 @@ class MappingNode {
   }
 
   MappingParameters parameters_;
+  EvidenceSource source_;
   BeliefFiles files_;
   std::unique_ptr<MapKeeper> keeper_;  ///< before anything is offered of what it knows
   ros::CallbackQueue service_queue_;

@@ -10,19 +10,19 @@
 namespace smore {
 
 MethodReplica::MethodReplica(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
-                             const MethodParameters& parameters, const Priors& priors)
-    : kind_(kind), scenario_(scenario), seed_(seed), parameters_(parameters), priors_(priors) {
-  restart(0);
+                             const MethodParameters& parameters)
+    : kind_(kind), scenario_(scenario), seed_(seed), parameters_(parameters) {
+  restart(0, {});
 }
 
 bool MethodReplica::extend(const EvidencePart& part) {
-  if (part.epoch != epoch_) restart(part.epoch);
+  if (part.epoch != epoch_) restart(part.epoch, part.priors);
   if (part.first == size_) {
     for (const ContactObservation& observation : part.observations) method_.observe(observation);
     size_ += part.observations.size();
     if (learnsNoMaps() || method_.maps->revision() - first_revision_ == part.changes) return true;
   }
-  restart(0);
+  restart(0, {});
   return false;
 }
 
@@ -62,8 +62,8 @@ std::vector<double> MethodReplica::risksAlong(const Path& path) const {
   return risks;
 }
 
-void MethodReplica::restart(std::uint64_t epoch) {
-  method_ = makeMethod(kind_, scenario_, seed_, parameters_, priors_);
+void MethodReplica::restart(std::uint64_t epoch, const Priors& priors) {
+  method_ = makeMethod(kind_, scenario_, seed_, parameters_, priors);
   first_revision_ = method_.maps->revision();
   epoch_ = epoch;
   size_ = 0;

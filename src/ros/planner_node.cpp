@@ -4,8 +4,7 @@
 
 #include <limits>
 
-#include "scenario_priors.h"
-#include "smore/ros/method_replica.h"
+#include "smore/ros/evidence_messages.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/scene_markers.h"
@@ -37,19 +36,6 @@ PlannerNodeParameters readParameters(ParameterReader* reader) {
   return parameters;
 }
 
-Result<EvidencePart> evidencePart(const smore_msgs::TwinMaps::Response& message) {
-  EvidencePart part;
-  part.epoch = message.evidence.epoch;
-  part.first = message.evidence.first;
-  part.changes = message.evidence.changes;
-  for (const auto& entry : message.evidence.observations) {
-    const Result<ContactObservation> observation = fromMessage(entry);
-    if (!observation) return Failure{observation.reason()};
-    part.observations.push_back(*observation);
-  }
-  return part;
-}
-
 /// Plans on a replica of the mapping's belief that is brought up to date before each plan. One call
 /// at a time.
 class PlannerNode {
@@ -58,8 +44,7 @@ class PlannerNode {
       : parameters_(parameters),
         start_(scenario.start),
         space_(scenario.motionSpace()),
-        replica_(parameters.method, scenario, parameters.seed, parameters.method_parameters,
-                 priorsOf(scenario, static_cast<std::uint64_t>(parameters.seed))) {
+        replica_(parameters.method, scenario, parameters.seed, parameters.method_parameters) {
     maps_ = node_.serviceClient<smore_msgs::TwinMaps>(names::kTwinMaps);
     path_ = node_.advertise<nav_msgs::Path>(names::kPath, names::kLatestQueue, true);
     markers_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPathMarkers,
@@ -74,6 +59,14 @@ class PlannerNode {
  private:
   /// Brings the replica up to date; the reason where that fails, else empty.
   std::string synchronise(const ros::Time& not_before) {
+    try {
+      return takeEvidence(not_before);
+    } catch (const InputError& error) {  // knowledge that the planner's method cannot use
+      return error.what();
+    }
+  }
+
+  std::string takeEvidence(const ros::Time& not_before) {
     constexpr int kAttempts = 2;  // the second one with all evidence
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       smore_msgs::TwinMaps call;
@@ -86,7 +79,7 @@ class PlannerNode {
         return "the service '" + maps_.getService() + "' does not answer; is the mapping node up?";
       }
       if (!call.response.success) return call.response.message;
-      const Result<EvidencePart> part = evidencePart(call.response);
+      const Result<EvidencePart> part = fromMessage(call.response.evidence);
       if (!part) return part.reason();
       revision_ = call.response.revision;
       stamp_ = call.response.stamp;

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "prior_reader.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <map>
-
-#include "smore/scenario/point_cloud.h"
 
 namespace smore {
 namespace {
@@ -16,35 +11,13 @@ constexpr Range kScale{-1e6, 1e6};
 constexpr Range kConfidence{0.001, 1.0 - 1e-9};
 constexpr int kMostEntries = 32;  // of both maps together as many as the belief takes
 
-std::string extensionOf(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char letter) { return std::tolower(letter); });
-  return extension;
-}
-
-// PLY files are meshes where they have faces.
-std::optional<PriorFormat> formatOf(const std::string& source) {
-  static const std::map<std::string, PriorFormat> formats = {
-      {".stl", PriorFormat::kMesh}, {".obj", PriorFormat::kMesh},  {".dae", PriorFormat::kMesh},
-      {".ply", PriorFormat::kMesh}, {".pcd", PriorFormat::kCloud}, {".ot", PriorFormat::kOctree},
-      {".bt", PriorFormat::kOctree}};
-  if (source == "truth") return PriorFormat::kTruth;
-  const auto known = formats.find(extensionOf(source));
-  if (known == formats.end()) return std::nullopt;
-  return known->second;
-}
-
-void readFile(ParameterReader* reader, const std::string& source, const std::string& directory,
-              PriorSource* entry) {
-  entry->file = source.front() == '/' ? source : directory + source;
+void readFile(ParameterReader* reader, PriorSource* entry) {
   std::error_code problem;
   if (!std::filesystem::is_regular_file(entry->file, problem)) {
     reader->error("source", "no file '" + entry->file + "'; give 'truth' or a path of a file, " +
                                 "relative to the scenario's");
     return;
   }
-  if (extensionOf(source) == ".ply" && !hasFaces(entry->file)) entry->format = PriorFormat::kCloud;
   Vec3 position = Vec3::Zero();
   Vec3 rpy = Vec3::Zero();
   if (reader->has("position")) reader->vector("position", &position, kPosition);
@@ -78,14 +51,16 @@ std::vector<PriorSource> readEntries(ParameterReader* reader, const std::string&
     section.text("source", &source);
     if (source.empty()) continue;
     PriorSource entry;
-    const std::optional<PriorFormat> format = formatOf(source);
+    const bool of_file = source != "truth";
+    if (of_file) entry.file = source.front() == '/' ? source : directory + source;
+    const auto format = of_file ? priorFormatOf(entry.file) : PriorFormat::kTruth;
     if (!format) {
       section.error("source", "'" + source + "' is none of: truth, a mesh (.stl, .obj, .ply, " +
                                   ".dae), a cloud of points (.pcd, .ply), an OctoMap (.ot, .bt)");
       continue;
     }
     entry.format = *format;
-    if (entry.format != PriorFormat::kTruth) readFile(&section, source, directory, &entry);
+    if (of_file) readFile(&section, &entry);
     readBox(&section, &entry);
     if (section.has("offset")) section.vector("offset", &entry.offset, kPosition);
     if (section.has("confidence")) section.number("confidence", &entry.confidence, kConfidence);

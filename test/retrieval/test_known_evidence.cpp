@@ -104,7 +104,10 @@ TEST_F(KnownEvidence, isReadAsItWasWrittenAndMakesTheSameMaps) {
   Method live = methodOf(source_);
   for (const ContactObservation& observation : someObservations()) live.observe(observation);
   const Evidence evidence = readEvidence(record());
-  EXPECT_TRUE(areTheSame(evidence.source.priors, source_.priors));
+  const Priors& read = evidence.source.priors;
+  EXPECT_TRUE(areTheSame(read.object.at(0), source_.priors.object.at(0)));
+  EXPECT_TRUE(areTheSame(read.object.at(1), source_.priors.object.at(1)));
+  EXPECT_TRUE(areTheSame(read.world.at(0), source_.priors.world.at(0)));
   Method again = methodOf(evidence.source);
   replay(evidence, &again);
   expectSame(live.maps->world(), again.maps->world());
@@ -112,15 +115,15 @@ TEST_F(KnownEvidence, isReadAsItWasWrittenAndMakesTheSameMaps) {
 }
 
 TEST_F(KnownEvidence, otherKnowledgeIsNotTheSame) {
-  Priors other = source_.priors;
-  other.world.front().confidence = 0.8;
-  EXPECT_FALSE(areTheSame(other, source_.priors));
-  other = source_.priors;
-  other.object.front().known.set({0, 0, 0}, 0.0F);
-  EXPECT_FALSE(areTheSame(other, source_.priors));
-  other = source_.priors;
-  other.object.pop_back();
-  EXPECT_FALSE(areTheSame(other, source_.priors));
+  const Prior& one = source_.priors.world.front();
+  Prior other = one;
+  EXPECT_TRUE(areTheSame(other, one));
+  other.confidence = 0.8;
+  EXPECT_FALSE(areTheSame(other, one));
+  other = one;
+  other.known.set({0, 0, 0}, 0.0F);
+  EXPECT_FALSE(areTheSame(other, one));
+  EXPECT_FALSE(areTheSame(source_.priors.object.at(0), source_.priors.object.at(1)));
 }
 
 TEST_F(KnownEvidence, isRefusedWhereItsRecordIsDamaged) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "smore/common/result.h"
 #include "smore/ros/evidence_log.h"
 #include "smore/ros/map_keeper.h"
@@ -44,7 +46,7 @@ Scenario plainScenario() {
 }
 
 MapKeeper::MakeMaps emptyMaps(MethodKind kind) {
-  return [kind] { return makeTwinMap(kind, plainScenario(), 1); };
+  return [kind](const Priors& priors) { return makeTwinMap(kind, plainScenario(), 1, {}, priors); };
 }
 
 TEST(EvidenceLog, KeepsWhatIsNewAndLeavesOutRepetitions) {
@@ -70,15 +72,6 @@ TEST(EvidenceLog, TurningOnTheSpotIsNew) {
   ContactObservation turned = freeAt(0.1, 0.0);
   turned.T_world_object = makePose(Vec3::Zero(), {0.0, 0.0, 0.02});
   EXPECT_TRUE(log.add(turned));
-}
-
-TEST(EvidenceLog, RestartBeginsANewEpoch) {
-  EvidenceLog log({0.003, 0.01});
-  log.add(freeAt(0.0, 0.0));
-  const std::uint64_t epoch = log.epoch();
-  log.restart();
-  EXPECT_EQ(log.size(), 0U);
-  EXPECT_NE(log.epoch(), epoch);
 }
 
 TEST(MapKeeper, HoldsEveryObservationUpToTheStampWaitedFor) {
@@ -112,7 +105,7 @@ class Replica : public testing::TestWithParam<MethodKind> {
   EvidencePart partFrom(std::uint64_t first) const {
     EvidencePart part;
     keeper_.access([&](const MapState& state) {
-      part = {state.log.epoch(), first, state.log.from(first), changesOf(state)};
+      part = {state.log.epoch(), state.priors, first, state.log.from(first), changesOf(state)};
     });
     return part;
   }
@@ -149,6 +142,25 @@ TEST_P(Replica, BeginsAnewAfterAResetOfTheMapping) {
   const EvidencePart all = partFrom(0);
   ASSERT_TRUE(replica_.extend(all));
   EXPECT_EQ(replica_.size(), all.observations.size());
+}
+
+TEST_P(Replica, KnowsWhatTheMappingIsTold) {
+  if (GetParam() != MethodKind::kSmore) return;  // the others cannot be told anything
+  feed(0.0, 0.0, 1);
+  ASSERT_TRUE(replica_.extend(partFrom(0)));
+  Prior in_hand{VoxelGrid(0.03), 0.999};
+  Prior ahead = in_hand;
+  for (std::int16_t y = -10; y < 10; ++y) {
+    in_hand.known.set({-5, y, 0}, 1.0F);
+    ahead.known.set({5, y, 0}, 1.0F);
+  }
+  const Pose touching = makePose({0.3, 0.0, 0.0});
+  const double before = replica_.assess(touching, Pose::Identity()).risk;
+  keeper_.know(MapSide::kWorld, ahead);
+  keeper_.know(MapSide::kObject, in_hand);
+  ASSERT_TRUE(replica_.extend(partFrom(0)));
+  EXPECT_GT(replica_.assess(touching, Pose::Identity()).risk, std::max(before, 0.9));
+  EXPECT_LT(replica_.assess(Pose::Identity(), Pose::Identity()).risk, 0.1);
 }
 
 TEST_P(Replica, RefusesPartsThatLeaveAGapOrDoNotMakeTheSameMaps) {

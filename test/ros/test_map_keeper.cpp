@@ -7,6 +7,7 @@
 
 #include "../scenario/temporary_directory.h"
 #include "smore/common/result.h"
+#include "smore/mapping/octomap_export.h"
 #include "smore/ros/map_keeper.h"
 
 namespace smore {
@@ -24,7 +25,9 @@ EvidenceSource source(MethodKind method) {
 }
 
 MapKeeper::MakeMaps emptyMaps(MethodKind method) {
-  return [method] { return makeTwinMap(method, source(method).task, 1); };
+  return [method](const Priors& priors) {
+    return makeTwinMap(method, source(method).task, 1, {}, priors);
+  };
 }
 
 // Motions that end at contacts, numbered from 1 on as a listener does that has just been started.
@@ -100,7 +103,7 @@ TEST_P(KeptEvidence, givesTheSameMapsToTheBitAfterAnySuddenEnd) {
   MapKeeper ended(emptyMaps(GetParam()), kSpacing, journal());
   feed(&ended, touches(1, 0.0, 4));
   MapKeeper resumed(emptyMaps(GetParam()), kSpacing);
-  resumed.load(readEvidence(newest()).observations);  // while the first one has its file open
+  resumed.load({}, readEvidence(newest()).observations);  // while the first one has its file open
   expectSameState(ended, resumed);
 }
 
@@ -108,7 +111,7 @@ TEST_P(KeptEvidence, goesOnWhereItEnded) {
   const auto before = touches(1, 0.0, 3);
   auto after = touches(2, 100.0, 3);
   MapKeeper resumed(emptyMaps(GetParam()), kSpacing);
-  resumed.load(before);
+  resumed.load({}, before);
   feed(&resumed, after);
 
   MapKeeper all(emptyMaps(GetParam()), kSpacing);
@@ -127,7 +130,141 @@ TEST_P(KeptEvidence, staysAsItIsWhereWhatIsLoadedDoesNotFit) {
   for (ContactObservation& observation : foreign) {
     observation.T_world_object.translation().x() += 1e6;
   }
-  EXPECT_THROW(keeper.load(foreign), InputError);
+  EXPECT_THROW(keeper.load({}, foreign), InputError);
+  expectSameState(untouched, keeper);
+}
+
+// A peg at x = -0.1 m that ends of the object meet from several sides: no doubt where it is.
+std::vector<ContactObservation> touchesOfAPeg() {
+  std::vector<ContactObservation> observations;
+  ContactObservation now;
+  for (const double y : {-0.12, -0.06, 0.06, 0.12}) {
+    for (const double heading : {0.0, 0.8, 1.6}) {
+      const Vec3 end(0.0, y, 0.0);
+      now.time += 1.0;
+      now.state = ContactState::kContact;
+      ++now.contact_id;
+      now.T_world_object = makePose(Vec3(-0.1, 0.0, 0.0) - end);
+      now.line = LineOfAction{};
+      now.line->direction = {std::cos(heading), std::sin(heading), 0.0};
+      now.line->point = end;
+      now.line->force = 6.0;
+      observations.push_back(now);
+    }
+  }
+  return observations;
+}
+
+// A wall of one voxel's width, x from -0.18 to -0.15 m, with nothing in front of it.
+Prior someWall() {
+  Prior wall{VoxelGrid(0.03), 0.9};
+  for (std::int16_t y = -6; y < 6; ++y) {
+    wall.known.set({-6, y, 0}, 1.0F);
+    wall.known.set({-5, y, 0}, 0.0F);
+  }
+  return wall;
+}
+
+std::uint64_t revision(const MapKeeper& keeper) {
+  std::uint64_t revision = 0;
+  keeper.access([&](const MapState& state) { revision = revisionOf(state); });
+  return revision;
+}
+
+class ToldKeeper : public testing::Test {
+ protected:
+  static constexpr MethodKind kMethod = MethodKind::kSmore;
+
+  void expectResumed() const {
+    const Evidence evidence = readEvidence(EvidenceJournal::newest(directory_.path()).value());
+    MapKeeper resumed(emptyMaps(kMethod), kSpacing);
+    resumed.load(evidence.source.priors, evidence.observations);
+    expectSameState(keeper_, resumed);
+  }
+
+  TemporaryDirectory directory_;
+  MapKeeper keeper_{emptyMaps(kMethod), kSpacing,
+                    std::make_unique<EvidenceJournal>(directory_.path(), source(kMethod))};
+};
+
+TEST_F(ToldKeeper, hasTheSameMapsWheneverItWasTold) {
+  feed(&keeper_, touches(1, 0.0, 3));
+  const std::uint64_t before = revision(keeper_);
+  keeper_.know(MapSide::kWorld, someWall());
+  EXPECT_GT(revision(keeper_), before);
+  auto after = touches(2, 100.0, 3);
+  for (ContactObservation& observation : after) observation.contact_id += 3;
+  feed(&keeper_, after);
+  MapKeeper told(emptyMaps(kMethod), kSpacing, nullptr, {{}, {someWall()}});
+  feed(&told, touches(1, 0.0, 3));
+  feed(&told, after);
+  expectSameState(told, keeper_);
+  expectResumed();
+}
+
+TEST_F(ToldKeeper, countsTheSameKnowledgeOnce) {
+  feed(&keeper_, touches(1, 0.0, 1));
+  keeper_.know(MapSide::kWorld, someWall());
+  const std::uint64_t once = revision(keeper_);
+  keeper_.know(MapSide::kWorld, someWall());
+  EXPECT_EQ(revision(keeper_), once);
+  keeper_.know(MapSide::kObject, someWall());
+  EXPECT_GT(revision(keeper_), once) << "of the other map it is other knowledge";
+}
+
+TEST_F(ToldKeeper, forgetsAtAResetWhatWasToldSinceTheStart) {
+  MapKeeper keeper(emptyMaps(kMethod), kSpacing, nullptr, {{}, {someWall()}});
+  keeper.know(MapSide::kObject, someWall());
+  keeper.reset();
+  keeper.access([](const MapState& state) {
+    EXPECT_TRUE(state.priors.object.empty());
+    EXPECT_EQ(state.priors.world.size(), 1U);
+    EXPECT_EQ(state.maps->object().size(), 0U);
+    EXPECT_GT(state.maps->world().size(), 0U);
+  });
+}
+
+TEST_F(ToldKeeper, beginsANewGraspWithAnEmptyObjectMapAndTheWorldThatItKnew) {
+  feed(&keeper_, touchesOfAPeg());
+  keeper_.know(MapSide::kObject, someWall());
+  VoxelGrid learnt(0.03);
+  keeper_.access([&](const MapState& state) { learnt = state.maps->world(); });
+  const std::uint64_t before = revision(keeper_);
+  keeper_.reset(MapSide::kObject);
+  EXPECT_GT(revision(keeper_), before);
+  int matter = 0;
+  keeper_.access([&](const MapState& state) {
+    EXPECT_EQ(state.maps->object().size(), 0U);
+    EXPECT_TRUE(state.lines.empty());
+    EXPECT_EQ(state.log.size(), 0U);
+    for (const VoxelGrid::Voxel& voxel : learnt.voxels()) {
+      if (voxel.probability < kOccupied || voxel.key.z != 0) continue;
+      ++matter;
+      EXPECT_TRUE(state.maps->world().find(voxel.key));
+    }
+  });
+  EXPECT_GT(matter, 0);
+  expectResumed();
+  feed(&keeper_, touches(2, 200.0, 2));
+  expectResumed();
+}
+
+TEST_F(ToldKeeper, canForgetTheWorldInstead) {
+  feed(&keeper_, touchesOfAPeg());
+  keeper_.reset(MapSide::kWorld);
+  keeper_.access([&](const MapState& state) {
+    EXPECT_EQ(state.maps->world().size(), 0U);
+    EXPECT_GT(state.maps->object().size(), 0U);
+  });
+}
+
+TEST_F(ToldKeeper, staysAsItIsWhereItsMapsCannotUseKnowledge) {
+  MapKeeper keeper(emptyMaps(MethodKind::kPaper), kSpacing);
+  feed(&keeper, touches(1, 0.0, 2));
+  MapKeeper untouched(emptyMaps(MethodKind::kPaper), kSpacing);
+  feed(&untouched, touches(1, 0.0, 2));
+  EXPECT_THROW(keeper.know(MapSide::kWorld, someWall()), InputError);
+  EXPECT_THROW(keeper.load({{someWall()}, {}}, {}), InputError);
   expectSameState(untouched, keeper);
 }
 
@@ -174,7 +311,7 @@ TEST(EvidenceJournal, findsTheNewestOfMoreThanNineFilesAndNothingElse) {
   EXPECT_FALSE(EvidenceJournal::newest(directory.path()));
   EXPECT_FALSE(EvidenceJournal::newest(directory.path() + "/missing"));
   EvidenceJournal journal(directory.path(), source(MethodKind::kSmore));
-  for (int i = 0; i < 11; ++i) journal.begin({});
+  for (int i = 0; i < 11; ++i) journal.begin({}, {});
   directory.write("99.evidence.part", "");
   directory.write("x100.evidence", "");
   EXPECT_EQ(EvidenceJournal::newest(directory.path()), directory.path() + "/11.evidence");

@@ -9,9 +9,6 @@
 
 namespace smore {
 
-/// The two maps, by what their frame is fixed to.
-enum class MapSide { kObject, kWorld };
-
 /// A piece of prior knowledge, prepared to be asked in the frame in which a belief infers: that of
 /// the object, or that of the map.
 class KnownMatter {

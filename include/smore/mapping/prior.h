@@ -7,6 +7,9 @@
 
 namespace smore {
 
+/// The two maps, by what their frame is fixed to.
+enum class MapSide { kObject, kWorld };
+
 /// One piece of what is known of a map before anything is touched: matter and free space, true as a
 /// whole with some probability.
 struct Prior {
@@ -21,10 +24,11 @@ struct Priors {
   std::vector<Prior> object;
   std::vector<Prior> world;
 
+  std::vector<Prior>& of(MapSide side) { return side == MapSide::kObject ? object : world; }
   bool empty() const { return object.empty() && world.empty(); }
 };
 
-/// Whether both say the same, entry by entry.
-bool areTheSame(const Priors& a, const Priors& b);
+/// Whether both say the same, in whatever order their voxels stand.
+bool areTheSame(const Prior& a, const Prior& b);
 
 }  // namespace smore

@@ -12,4 +12,7 @@ namespace smore {
 /// nothing in its box, or the truth where there is no scene.
 Priors makePriors(const Scenario& scene);
 
+/// The same of one source, for one map of `scene`.
+Prior makePrior(const Scenario& scene, MapSide side, const PriorSource& source);
+
 }  // namespace smore

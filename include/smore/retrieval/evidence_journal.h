@@ -22,10 +22,10 @@ class EvidenceJournal {
   EvidenceJournal(const std::string& directory, EvidenceSource source);
   ~EvidenceJournal();
 
-  /// Begins a new file with these observations. It takes its name only once they are in it, so that
-  /// a crash meanwhile leaves the file before it the newest. std::runtime_error where it cannot be
-  /// written.
-  void begin(const std::vector<ContactObservation>& observations);
+  /// Begins a new file with what is known beforehand from now on, and these observations. It takes
+  /// its name only once they are in it, so that a crash meanwhile leaves the file before it the
+  /// newest. std::runtime_error where it cannot be written.
+  void begin(const Priors& priors, const std::vector<ContactObservation>& observations);
 
   /// Appends to the file that was begun last. std::runtime_error where it cannot be written.
   void observe(const ContactObservation& observation);

@@ -10,6 +10,10 @@ namespace smore {
 /// `path` where it is absolute, else below the directory of ROS (ROS_HOME, by default ~/.ros).
 std::string belowRosHome(const std::string& path);
 
+/// Writes both maps as `world.ot` and `object.ot` into an absolute directory, which is made where
+/// it is missing. InputError for another path, std::runtime_error where it cannot be written.
+void saveMaps(const MapKeeper& keeper, const std::string& directory);
+
 /// What a mapping node saves and loads: files of evidence below one folder.
 class BeliefFiles {
  public:

@@ -25,9 +25,8 @@ class EvidenceLog {
 
   std::uint64_t size() const { return entries_.size(); }
 
-  /// Rises when the log begins anew; starts at 1.
+  /// Another one for each log.
   std::uint64_t epoch() const { return epoch_; }
-  void restart();
 
   /// Makes the epoch the one after `epoch`: this log takes the place of that one.
   void continueAfter(std::uint64_t epoch) { epoch_ = epoch + 1; }

@@ -21,11 +21,18 @@ namespace smore {
 /// What a mapping node knows, all of one moment.
 struct MapState {
   std::unique_ptr<TwinMap> maps;
+  Priors priors;  ///< what is known beforehand
   EvidenceLog log;
   std::vector<LineOfAction> lines;   ///< in the object frame, in the order of their contacts
   std::uint64_t first_revision = 0;  ///< of the maps when the log began
+  std::uint64_t earlier = 0;         ///< changes of the maps that these took the place of
   double stamp = 0.0;                ///< of the newest observation taken [s]; 0: none
 };
+
+/// Rises whenever a map changes, by whatever.
+inline std::uint64_t revisionOf(const MapState& state) {
+  return state.earlier + state.maps->revision();
+}
 
 /// How often the maps changed since their log began.
 inline std::uint64_t changesOf(const MapState& state) {
@@ -38,12 +45,14 @@ inline std::uint64_t changesOf(const MapState& state) {
 /// written ends; both are told (takeProblem) and stop nothing else.
 class MapKeeper {
  public:
-  using MakeMaps = std::function<std::unique_ptr<TwinMap>()>;
+  /// Makes the maps of what is known beforehand, always the same of the same; InputError where they
+  /// cannot use it.
+  using MakeMaps = std::function<std::unique_ptr<TwinMap>(const Priors& priors)>;
 
-  /// `make_maps` makes empty maps, always the same; `journal` may be null, else it is written from
-  /// now on.
+  /// `journal` may be null, else it is written from now on. `told`: what is known from the start,
+  /// and after each reset.
   MapKeeper(MakeMaps make_maps, const EvidenceSpacing& spacing,
-            std::unique_ptr<EvidenceJournal> journal = nullptr);
+            std::unique_ptr<EvidenceJournal> journal = nullptr, Priors told = {});
   /// Ends the thread; what is still queued is left out.
   ~MapKeeper();
 
@@ -57,13 +66,25 @@ class MapKeeper {
   /// than `timeout` of wall time [s].
   bool waitFor(double stamp, double timeout) const;
 
-  /// Forgets maps, evidence and what is queued; the stamp stays.
+  /// Forgets maps, evidence and what is queued, but not what was told at the start; the stamp
+  /// stays.
   void reset();
 
-  /// The maps of these observations and of what comes from now on take the place of what was. With
-  /// the same maps' parameters they are those that had been made of the same observations.
-  /// InputError, and nothing changes, where one does not fit into the maps.
-  void load(const std::vector<ContactObservation>& observations);
+  /// Forgets one map so, for another object in the hand or another place. The other one goes on:
+  /// what it holds to be matter is known beforehand from now on (learntMatter), beside what was
+  /// known. InputError, and nothing changes, where the maps cannot use such knowledge.
+  void reset(MapSide side);
+
+  /// Takes what is known of one map as evidence beside the observations; the same twice counts
+  /// once. The maps are those that had been made knowing it from the start. InputError, and nothing
+  /// changes, where they cannot use it.
+  void know(MapSide side, const Prior& prior);
+
+  /// The maps of what is known here, of these observations and of what comes from now on take the
+  /// place of what was. With the same maps' parameters they are those that had been made of the
+  /// same. InputError, and nothing changes, where an observation does not fit into the maps, or
+  /// these cannot use what is known.
+  void load(const Priors& priors, const std::vector<ContactObservation>& observations);
 
   /// What went wrong since the last call; nothing where all is well.
   std::optional<std::string> takeProblem();
@@ -72,10 +93,14 @@ class MapKeeper {
   void work();
   void take(ContactObservation observation);
   void takeIn(const ContactObservation& observation);
+  MapState made(const Priors& priors, const std::vector<ContactObservation>& observations) const;
+  void replace(MapState state);
+  void forgetQueue();
   void writeJournal(const std::function<void()>& write);
 
   MakeMaps make_maps_;
   EvidenceSpacing spacing_;
+  Priors told_;
 
   mutable std::mutex queue_mutex_;
   std::condition_variable queued_;

@@ -13,16 +13,19 @@
 #include <ros/message_operations.h>
 #include <ros/serialization.h>
 #include <ros/service_traits.h>
+#include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/Header.h>
 
 #define smore smore_msgs
 #include <smore/CheckPose.h>
 #include <smore/ContactObservation.h>
 #include <smore/Evidence.h>
+#include <smore/InsertPrior.h>
 #include <smore/LineOfAction.h>
 #include <smore/LoadBelief.h>
 #include <smore/PlanPath.h>
 #include <smore/PlanTouch.h>
+#include <smore/Prior.h>
 #include <smore/RetrieveAction.h>
 #include <smore/SaveBelief.h>
 #include <smore/SaveMaps.h>

@@ -13,6 +13,7 @@ namespace smore {
 /// A part of a mapping's evidence log, as it came over the wire.
 struct EvidencePart {
   std::uint64_t epoch = 0;
+  Priors priors;  ///< what is known beforehand, where the epoch is another than the replica's
   std::uint64_t first = 0;
   std::vector<ContactObservation> observations;
   std::uint64_t changes = 0;  ///< of the mapping's maps since its log began, with this part
@@ -27,10 +28,9 @@ struct PoseAssessment {
 /// The same belief as in a mapping node, made from the same evidence, with a planner on it.
 class MethodReplica {
  public:
-  /// `parameters`: of the method smore; those of the belief, and what is known beforehand, must be
-  /// the mapping's.
+  /// `parameters`: of the method smore; those of the belief must be the mapping's.
   MethodReplica(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
-                const MethodParameters& parameters = {}, const Priors& priors = {});
+                const MethodParameters& parameters = {});
 
   /// What to ask the mapping for.
   std::uint64_t epoch() const { return epoch_; }
@@ -38,7 +38,7 @@ class MethodReplica {
 
   /// Takes a part that follows what is here; one of another epoch starts anew. False, and all is
   /// forgotten, if the part does not fit or the maps do not change as often as the mapping's
-  /// (where the method learns maps at all).
+  /// (where the method learns maps at all). InputError for knowledge that the method cannot use.
   bool extend(const EvidencePart& part);
 
   /// `relaxed`: as Planner::planRelaxed. Plans carry their trees.
@@ -55,7 +55,7 @@ class MethodReplica {
   std::vector<double> risksAlong(const Path& path) const;
 
  private:
-  void restart(std::uint64_t epoch);
+  void restart(std::uint64_t epoch, const Priors& priors);
   /// Whether it remembers something else than maps, which have nothing to agree with.
   bool learnsNoMaps() const { return method_.memory != nullptr; }
 
@@ -63,7 +63,6 @@ class MethodReplica {
   Scenario scenario_;
   std::uint64_t seed_;
   MethodParameters parameters_;
-  Priors priors_;
   Method method_;
   std::uint64_t epoch_ = 0;
   std::uint64_t size_ = 0;

@@ -36,6 +36,7 @@ constexpr char kResetMaps[] = "reset";
 constexpr char kSaveMaps[] = "save_maps";
 constexpr char kSaveBelief[] = "save_belief";
 constexpr char kLoadBelief[] = "load_belief";
+constexpr char kInsertPrior[] = "insert_prior";
 constexpr char kTare[] = "tare";                         ///< in the listener's private namespace
 constexpr char kIdentifyPayload[] = "identify_payload";  ///< there too
 constexpr char kGuardFault[] = "guard/fault";

@@ -20,13 +20,18 @@ enum class PriorFormat {
 /// An entry of a scenario's key `prior` (docs/priors.md).
 struct PriorSource {
   PriorFormat format = PriorFormat::kTruth;
-  std::string file;              ///< of all but kTruth
+  std::string file;              ///< of all but kTruth and `points`
+  std::vector<Vec3> points;      ///< of kCloud without a file, finite and at least one [m]
   Vec3 scale = Vec3::Ones();     ///< of a mesh
   Pose pose = Pose::Identity();  ///< of what the file holds, in the frame of its map
   std::optional<Bounds> box;     ///< what counts of it, in that frame [m]; nothing: all
   Vec3 offset = Vec3::Zero();    ///< by which it is then moved [m]
   double confidence = 0.999;     ///< probability that it is true, above 0 and below 1
 };
+
+/// Format of a file by its name's end, and of PLY files by whether they have faces; nothing for any
+/// other end.
+std::optional<PriorFormat> priorFormatOf(const std::string& file);
 
 /// What a scenario says to be known of each map.
 struct PriorSources {

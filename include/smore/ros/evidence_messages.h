@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "smore/ros/conversions.h"
+#include "smore/ros/map_keeper.h"
+#include "smore/ros/method_replica.h"
+
+namespace smore {
+
+/// What somebody lacks of the evidence who has that of `epoch` up to position `from`: all of it
+/// where the log has another epoch.
+smore_msgs::Evidence evidenceSince(const MapState& state, std::uint64_t epoch, std::uint64_t from,
+                                   const FrameNames& frames);
+
+/// A failure for observations or pieces of knowledge that are none.
+Result<EvidencePart> fromMessage(const smore_msgs::Evidence& message);
+
+}  // namespace smore
