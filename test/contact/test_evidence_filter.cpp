@@ -45,8 +45,6 @@ TEST(EvidenceFilter, withoutLossKeepsEveryFreePoseButRepetitions) {
   EXPECT_FALSE(filter.keeps(freeAt(0.1)));
   EXPECT_TRUE(filter.keeps(freeAt(std::nextafter(0.1, 1.0))));
   EXPECT_TRUE(filter.keeps(freeAt(0.1)));
-  filter.restart();
-  EXPECT_TRUE(filter.keeps(freeAt(0.1)));
 }
 
 }  // namespace

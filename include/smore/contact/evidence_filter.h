@@ -28,9 +28,6 @@ class EvidenceFilter {
   /// Whether the observation is to be kept; the next ones are then measured against it.
   bool keeps(const ContactObservation& observation);
 
-  /// Forgets what was kept.
-  void restart() { last_.reset(); }
-
  private:
   bool isNew(const ContactObservation& observation) const;
   bool isAway(const Pose& T_world_object) const;
