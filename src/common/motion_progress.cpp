@@ -41,4 +41,9 @@ MotionStage MotionProgress::update(double time, const Pose& here, double scaling
   return rest_ >= kStallTime ? MotionStage::kStalled : MotionStage::kUnderWay;
 }
 
+void MotionProgress::setOutAgain(double duration) {
+  duration_ = duration;
+  elapsed_ = rest_ = 0.0;
+}
+
 }  // namespace smore

@@ -14,9 +14,14 @@ class CartesianCommands : public JointCommands {
 
   std::vector<std::string> jointNames() const override { return cartesianJointNames(); }
 
-  Result<JointTrajectory> along(const std::vector<double>& /*now*/,
+  Result<JointTrajectory> along(const std::vector<double>& /*now*/, const Pose& /*seen*/,
                                 const Path& path) const override {
     return cartesianTrajectory(path, linear_speed_, angular_speed_);
+  }
+
+  std::optional<Pose> toolGap(const std::vector<double>& /*now*/,
+                              const Pose& /*seen*/) const override {
+    return std::nullopt;
   }
 
  private:
@@ -26,16 +31,26 @@ class CartesianCommands : public JointCommands {
 
 class ArmCommands : public JointCommands {
  public:
-  explicit ArmCommands(const Scenario& scenario)
-      : motion_(armUrdf(scenario.robot), armMotionParameters(scenario)) {}
+  ArmCommands(const Scenario& scenario, const UrdfModel& arm)
+      : motion_(arm, armMotionParameters(scenario)) {}
 
   std::vector<std::string> jointNames() const override {
     const auto& names = motion_.model().jointNames();
     return {names.begin(), names.end()};
   }
 
-  Result<JointTrajectory> along(const std::vector<double>& now, const Path& path) const override {
-    return motion_.trajectory(toJointVector(now), path);
+  Result<JointTrajectory> along(const std::vector<double>& now, const Pose& seen,
+                                const Path& path) const override {
+    const JointVector q = toJointVector(now);
+    const Pose T_seen_described = seen.inverse() * motion_.objectPose(q);
+    Path described = path;
+    for (Pose& pose : described) pose = pose * T_seen_described;
+    return motion_.trajectory(q, described);
+  }
+
+  std::optional<Pose> toolGap(const std::vector<double>& now, const Pose& seen) const override {
+    const Pose T_world_seen_tool = seen * motion_.T_tool_object().inverse();
+    return motion_.toolPose(toJointVector(now)).inverse() * T_world_seen_tool;
   }
 
  private:
@@ -45,8 +60,12 @@ class ArmCommands : public JointCommands {
 }  // namespace
 
 std::unique_ptr<JointCommands> makeJointCommands(const Scenario& scenario) {
-  if (isArm(scenario.robot)) return std::make_unique<ArmCommands>(scenario);
+  if (isArm(scenario.robot)) return makeJointCommands(scenario, armUrdf(scenario.robot));
   return std::make_unique<CartesianCommands>(scenario);
+}
+
+std::unique_ptr<JointCommands> makeJointCommands(const Scenario& scenario, const UrdfModel& arm) {
+  return std::make_unique<ArmCommands>(scenario, arm);
 }
 
 }  // namespace smore

@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include "smore/ros/arm_description.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/robot_frames.h"
@@ -15,18 +16,23 @@ void runArmFrames() {
   const FrameNames frames = readFrameNames(&reader);
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
+  bool base_in_tf = false;
+  reader.boolean("base_in_tf", &base_in_tf);
+  const std::string description = readDescriptionName(&reader);
   reader.finish();
   if (!isArm(scenario->robot)) {
     throw InputError("scenario " + scenario->name +
                      ": robot: not an arm; use one of ur3e, ur5e, ur10e, ur16e");
   }
-  const ArmMotion arm(armUrdf(scenario->robot), armMotionParameters(*scenario));
+  const ArmMotion arm(armByDescription(scenario->robot, description),
+                      armMotionParameters(*scenario));
   ros::NodeHandle node;
   constexpr bool kLatched = true;
   const ros::Publisher publisher =
       node.advertise<tf2_msgs::TFMessage>(names::kTfStatic, names::kLatestQueue, kLatched);
   tf2_msgs::TFMessage message;
   message.transforms = gripTransforms(arm, scenario->T_world_base, frames);
+  if (base_in_tf) message.transforms.erase(message.transforms.begin());
   publisher.publish(message);
   ros::spin();
 }

@@ -9,6 +9,7 @@
 #include "retrieval_node_parameters.h"
 #include "smore/retrieval/reconstruction.h"
 #include "smore/retrieval/retrieval.h"
+#include "smore/ros/arm_description.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/payload_tilts.h"
@@ -31,7 +32,7 @@ class RetrievalNode {
   RetrievalNode(const RetrievalNodeParameters& parameters, const Scenario& scenario)
       : parameters_(parameters),
         scenario_(scenario),
-        robot_(parameters.robot, makeJointCommands(scenario)),
+        robot_(parameters.robot, describedCommands(scenario, parameters.robot_description)),
         planner_(parameters.frames.world, &robot_),
         server_(
             node_, names::kRetrieve, [this](const auto& goal) { execute(*goal); }, false) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "smore/ros/arm_description.h"
 #include "smore/ros/parameter_source.h"
 
 namespace smore {
@@ -15,6 +16,7 @@ RetrievalNodeParameters readRetrievalParameters(ParameterReader* reader) {
   reader->number("ready_timeout", &parameters.robot.ready_timeout, {0.1, 3600.0});
   if (reader->has("reset_service")) reader->text("reset_service", &parameters.robot.reset_service);
   if (reader->has("zero_service")) reader->text("zero_service", &parameters.robot.zero_service);
+  parameters.robot_description = readDescriptionName(reader);
   reader->integer("max_collisions", &parameters.max_collisions, 1, 1000000);
   reader->number("retreat_distance", &parameters.retreat_distance, {1e-3, 10.0});
   reader->boolean("identify_payload", &parameters.identify_payload);

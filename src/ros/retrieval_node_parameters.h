@@ -15,6 +15,7 @@ struct RetrievalNodeParameters {
   FrameNames frames;
   MethodKind method = MethodKind::kSmore;  ///< for the summary; the planner decides
   RosRobotParameters robot;
+  std::string robot_description;  ///< global parameter with the arm's description; empty: nominal
   int max_collisions = 2000;
   double retreat_distance = 0.05;  ///< [m + rad]
   bool identify_payload = true;    ///< at the start, where the robot tilts it

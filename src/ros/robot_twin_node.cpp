@@ -14,16 +14,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <random>
 
-#include "delayed_zero.h"
 #include "robot_twin_parameters.h"
 #include "simulated_driver.h"
 #include "smore/common/delay_line.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/scene_markers.h"
+#include "smore/simulation/calibrated_arm.h"
+#include "smore/simulation/driver_wrench.h"
 #include "smore/simulation/simulated_robot.h"
 #include "smore/simulation/trajectory_controller.h"
 
@@ -33,6 +35,7 @@ namespace {
 constexpr double kPeriod = 0.002;    // 500 Hz
 constexpr std::uint8_t kNormal = 1;  // safety modes of ur_dashboard_msgs/SafetyMode
 constexpr std::uint8_t kProtectiveStop = 3;
+constexpr std::uint8_t kRobotEmergencyStop = 7;
 constexpr double kCatchUp = 0.1;  // [s]; what is lost beyond is not made good
 
 /// What the driver publishes for one sample.
@@ -45,12 +48,13 @@ struct DriverSample {
 /// Robot, driver and connection in one thread, at 500 Hz of the clock on the wall.
 class RobotTwin {
  public:
-  RobotTwin(const TwinParameters& parameters, const Scenario& scenario)
+  RobotTwin(const TwinParameters& parameters, const Scenario& scenario, const UrdfModel& arm)
       : parameters_(parameters),
-        robot_(makeSimulatedRobot(
-            scenario, parameters.seed,
+        robot_(makeSimulatedArm(
+            scenario, arm, parameters.seed,
             parameters.sensor_cutoff > 0.0 ? parameters.sensor_cutoff : kNoLowPass)),
-        driver_(makeSimulatedDriver(scenario, FrameNames())),
+        driver_(makeArmDriver(scenario, parameters.frames, arm, parameters.pendant.tcp)),
+        wrench_of_driver_(parameters.pendant),
         controller_(robot_->jointNames(), robot_->jointPositions(), parameters.stop_duration),
         random_(parameters.seed),
         slider_(parameters.slider),
@@ -76,31 +80,58 @@ class RobotTwin {
   }
 
  private:
+  /// The driver's names are global.
   void advertise() {
-    joints_ = node_.advertise<sensor_msgs::JointState>("joint_states", names::kStreamQueue);
-    wrench_ = node_.advertise<geometry_msgs::WrenchStamped>("wrench", names::kStreamQueue);
+    joints_ = node_.advertise<sensor_msgs::JointState>("/joint_states", names::kStreamQueue);
+    wrench_ = node_.advertise<geometry_msgs::WrenchStamped>("/wrench", names::kStreamQueue);
     tf_ = node_.advertise<tf2_msgs::TFMessage>(names::kTf, names::kStreamQueue);
     scene_ = node_.advertise<visualization_msgs::MarkerArray>(names::kScene, 1, true);
     tf_static_ = node_.advertise<tf2_msgs::TFMessage>(names::kTfStatic, 1, true);
-    scaling_ = node_.advertise<std_msgs::Float64>("speed_scaling_factor", 1);
+    scaling_ = node_.advertise<std_msgs::Float64>("/speed_scaling_factor", 1);
     running_ =
-        node_.advertise<std_msgs::Bool>("ur_hardware_interface/robot_program_running", 1, true);
-    state_ = node_.advertise<sensor_msgs::JointState>("scaled_pos_joint_traj_controller/state", 1);
-    safety_mode_ = node_.advertise<std_msgs::UInt8>("ur_hardware_interface/safety_mode", 1, true);
+        node_.advertise<std_msgs::Bool>("/ur_hardware_interface/robot_program_running", 1, true);
+    state_ = node_.advertise<sensor_msgs::JointState>("/scaled_pos_joint_traj_controller/state", 1);
+    safety_mode_ = node_.advertise<std_msgs::UInt8>("/ur_hardware_interface/safety_mode", 1, true);
     const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
-    command_ = node_.subscribe("scaled_pos_joint_traj_controller/command", names::kStreamQueue,
+    command_ = node_.subscribe("/scaled_pos_joint_traj_controller/command", names::kStreamQueue,
                                &RobotTwin::onCommand, this, hints);
     slider_topic_ = private_node_.subscribe("slider", 1, &RobotTwin::onSlider, this);
-    zeroing_ =
-        node_.advertiseService("ur_hardware_interface/zero_ftsensor", &RobotTwin::onZero, this);
-    stop_ = private_node_.advertiseService("protective_stop", &RobotTwin::onProtectiveStop, this);
-    play_ = private_node_.advertiseService("play", &RobotTwin::onPlay, this);
-    run_ = private_node_.advertiseService("run_controller", &RobotTwin::onRunController, this);
-    cut_ = private_node_.advertiseService("cut_network", &RobotTwin::onCutNetwork, this);
+    serve<std_srvs::Trigger>(&node_, "/ur_hardware_interface/zero_ftsensor", [this](bool) {
+      // The driver answers when it has written to the robot; the zeroing follows.
+      wrench_of_driver_.askForZero(now() + parameters_.zero_delay);
+    });
+    advertiseFaults();
+  }
+
+  void advertiseFaults() {
+    using std_srvs::SetBool;
+    using std_srvs::Trigger;
+    serve<Trigger>(&private_node_, "protective_stop", [this](bool) { halt(kProtectiveStop); });
+    serve<Trigger>(&private_node_, "emergency_stop", [this](bool) { halt(kRobotEmergencyStop); });
+    serve<Trigger>(&private_node_, "end_program", [this](bool) { halt(kNormal); });
+    serve<Trigger>(&private_node_, "play", [this](bool) { play(); });
+    serve<SetBool>(&private_node_, "run_controller", [this](bool run) { runController(run); });
+    serve<SetBool>(&private_node_, "cut_network", [this](bool cut) { cutNetwork(cut); });
+  }
+
+  static bool dataOf(const std_srvs::Trigger::Request& /*request*/) { return true; }
+  static bool dataOf(const std_srvs::SetBool::Request& request) { return request.data != 0; }
+
+  /// A service that does `action` and answers that it is done.
+  template <typename Service>
+  void serve(ros::NodeHandle* node, const std::string& name,
+             const std::function<void(bool)>& action) {
+    using Callback = boost::function<bool(typename Service::Request&, typename Service::Response&)>;
+    services_.push_back(
+        node->advertiseService(name, Callback([action](auto& request, auto& response) {
+                                 action(dataOf(request));
+                                 response.success = static_cast<unsigned char>(true);
+                                 return true;
+                               })));
   }
 
   void publishScene(const Scenario& scenario) {
-    visualization_msgs::MarkerArray markers = sceneMarkers(scenario, FrameNames());
+    visualization_msgs::MarkerArray markers = sceneMarkers(scenario, parameters_.frames);
     const visualization_msgs::MarkerArray links = driver_->linkMarkers();
     markers.markers.insert(markers.markers.end(), links.markers.begin(), links.markers.end());
     scene_.publish(markers);
@@ -117,58 +148,34 @@ class RobotTwin {
     if (std::isfinite(message.data)) slider_ = std::clamp(message.data, 0.0, 1.0);
   }
 
-  /// The driver answers when it has written to the robot; the zeroing follows.
-  bool onZero(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
-    zero_.ask(now() + parameters_.zero_delay);
-    response.success = static_cast<unsigned char>(true);
-    return true;
+  void halt(std::uint8_t safety_mode) {
+    publishSafetyMode(safety_mode);
+    endProgram("somebody asked for it");
   }
 
-  bool onProtectiveStop(std_srvs::Trigger::Request& /*request*/,
-                        std_srvs::Trigger::Response& response) {
-    publishSafetyMode(kProtectiveStop);
-    endProgram("a protective stop was asked for");
-    response.success = static_cast<unsigned char>(true);
-    return true;
-  }
-
-  /// As somebody at the pendant.
-  bool onPlay(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
+  void play() {
     controller_.start(robot_->jointPositions());
     publishSafetyMode(kNormal);
     publishRunning();
-    response.success = static_cast<unsigned char>(true);
-    return true;
   }
 
   /// As the controller manager that starts or stops the controller alone.
-  bool onRunController(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
-    if (request.data != 0) {
-      controller_.start(robot_->jointPositions());
-    } else {
-      controller_.stop();
-      robot_->stop();
-    }
-    response.success = static_cast<unsigned char>(true);
-    return true;
+  void runController(bool run) {
+    if (run) return controller_.start(robot_->jointPositions());
+    controller_.stop();
+    robot_->stop();
   }
 
   /// The robot's program ends without its driver; joint states and wrenches freeze under fresh
   /// stamps.
-  bool onCutNetwork(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
-    cut_off_ = request.data != 0;
-    if (cut_off_) {
-      controller_.stop();
-      robot_->stop();
-    }
-    response.success = static_cast<unsigned char>(true);
-    return true;
+  void cutNetwork(bool cut) {
+    cut_off_ = cut;
+    if (cut) runController(false);
   }
 
   void endProgram(const std::string& reason) {
     ROS_WARN_STREAM("the robot's program has ended: " << reason);
-    controller_.stop();
-    robot_->stop();
+    runController(false);
     publishRunning();
   }
 
@@ -188,9 +195,8 @@ class RobotTwin {
   void cycle(double now) {
     while (const auto command = commands_.pop(now)) controller_.command(*command);
     moveRobot();
-    samples_.push(now + latency_(random_), sample());
+    samples_.push(now + latency_(random_), sample(now));
     while (const auto arrived = samples_.pop(now)) publish(*arrived);
-    zero_.observe(now, robot_->reading().wrench);
   }
 
   /// The controller tells the robot each cycle where to be at its end, and how fast: a point beyond
@@ -212,7 +218,7 @@ class RobotTwin {
     if (fault && controller_.running()) endProgram(fault->reason);
   }
 
-  DriverSample sample() {
+  DriverSample sample(double now) {
     ros::Time stamp = ros::Time::now();
     std::normal_distribution<double> jitter(0.0, 1.0);
     stamp += ros::Duration(parameters_.stamp_jitter * jitter(random_));
@@ -220,10 +226,9 @@ class RobotTwin {
       last_.joints.name = robot_->jointNames();
       last_.joints.position = robot_->jointPositions();
       last_.joints.velocity = robot_->jointVelocities();
-      Wrench felt = robot_->reading().wrench;
-      felt.force -= zero_.offset().force;
-      felt.torque -= zero_.offset().torque;
-      last_.wrench.wrench = toMessage(felt);
+      const Pose T_world_flange = robot_->pose() * robot_->T_sensor_object().inverse();
+      last_.wrench.wrench =
+          toMessage(wrench_of_driver_.at(now, robot_->reading().wrench, T_world_flange));
       last_.wrench.header.frame_id = driver_->sensorFrame();
     }
     last_.poses.transforms.clear();
@@ -253,10 +258,10 @@ class RobotTwin {
   }
 
   static double now() { return ros::SteadyTime::now().toSec(); }
-
   TwinParameters parameters_;
   std::unique_ptr<SimulatedRobot> robot_;
   std::unique_ptr<SimulatedDriver> driver_;
+  DriverWrench wrench_of_driver_;
   TrajectoryController controller_;
   std::mt19937_64 random_;
   double slider_;  ///< share of full speed, 0 to 1
@@ -265,26 +270,28 @@ class RobotTwin {
   DelayLine<DriverSample> samples_;
   DriverSample last_;
   bool cut_off_ = false;
-  DelayedZero zero_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_, private_node_{"~"};
   ros::Publisher joints_, wrench_, tf_, tf_static_, scene_, scaling_, running_, state_,
       safety_mode_;
   ros::Subscriber command_, slider_topic_;
-  ros::ServiceServer zeroing_, stop_, play_, cut_, run_;
+  std::vector<ros::ServiceServer> services_;
 };
 
 void runTwin() {
   ParameterReader reader(privateParameters(), ros::this_node::getName());
   const TwinParameters parameters = readTwinParameters(&reader);
-  const std::optional<Scenario> scenario = readScenarioParameter(&reader);
+  const auto scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
   reader.finish();
   if (!isArm(scenario->robot)) {
     throw InputError("scenario " + scenario->name +
                      ": robot: not an arm; use one of ur3e, ur5e, ur10e, ur16e");
   }
-  RobotTwin(parameters, perturbScenario(*scenario, parameters.seed)).run();
+  const UrdfModel arm = calibratedArm(scenario->robot, parameters.calibration, parameters.seed);
+  ros::param::set("/robot_description",
+                  jointsDescription(parameters.described ? arm : armUrdf(scenario->robot)));
+  RobotTwin(parameters, perturbScenario(*scenario, parameters.seed), arm).run();
 }
 
 }  // namespace

@@ -7,9 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include "smore/ros/interruptible_call.h"
+#include "smore/kinematics/tool_gap.h"
 #include "smore/ros/names.h"
-#include "smore/ros/sensor_zero.h"
 #include "smore/ros/settle_deadline.h"
 
 namespace smore {
@@ -19,6 +18,8 @@ namespace {
 constexpr double kLookPeriod = 0.01;
 // Of a retreat: it goes on where it was stopped, and while something still touches.
 constexpr int kMostStretches = 20;
+// Each leaves a small share of what the one before left.
+constexpr int kMostAims = 3;
 
 }  // namespace
 
@@ -28,6 +29,7 @@ struct RosRobot::Motion {
   int known_contacts = 0;
   std::string reason;                   ///< why it ended
   std::optional<MotionResult> refused;  ///< where it could not begin
+  int aims = 0;                         ///< so often it has set out again, short of its target
 };
 
 RosRobot::RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCommands> commands)
@@ -56,45 +58,6 @@ RosRobot::RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCo
   spinner_.start();
 }
 
-std::string RosRobot::waitUntilReady() {
-  if (!parameters_.zero_service.empty() && !fault_place_.isHere()) {
-    std::string problem = zeroSensor(&node_, parameters_.zero_service, parameters_.ready_timeout,
-                                     [this] { return stopRequested(); });
-    if (!problem.empty()) return problem;
-  }
-  stream_.open();
-  const ros::WallTime deadline =
-      ros::WallTime::now() + ros::WallDuration(parameters_.ready_timeout);
-  std::string missing = "no contact observations on '" + contact_.getTopic() +
-                        "'; is the force_torque node up, and does it get wrenches and transforms?";
-  std::string fault = guardFault();
-  while (ros::ok() && ros::WallTime::now() < deadline && !missing.empty() && fault.empty() &&
-         !stop_requested_) {
-    const auto observation = stream_.next(kLookPeriod);
-    if (observation) missing = missingBeside(*observation);
-    fault = guardFault();
-  }
-  stream_.close();
-  return fault.empty() ? missing : fault;
-}
-
-std::string RosRobot::missingBeside(const ContactObservation& observation) {
-  if (observation.state == ContactState::kContact) {
-    return "the object presses against something; move it free, then tare the sensor";
-  }
-  if (observation.state != ContactState::kFree) {
-    return "the sensor never says that the object is free; look at the force_torque node's log";
-  }
-  if (command_.getNumSubscribers() == 0) {
-    return "nobody listens to commands on '" + command_.getTopic() + "'; is the robot up?";
-  }
-  if (const auto joints = joints_.positionsAt(stamp()); !joints) return joints.reason();
-  if (!parameters_.reset_service.empty() && !reset_.exists()) {
-    return "the service '" + reset_.getService() + "' does not appear; is the robot up?";
-  }
-  return "";
-}
-
 Pose RosRobot::pose() const {
   return stream_.latest().value_or(ContactObservation{}).T_world_object;
 }
@@ -117,8 +80,11 @@ MotionResult RosRobot::follow(const Path& path) {
   if (motion.refused) return *motion.refused;
   while (true) {
     switch (advance(&motion)) {
-      case Step::kGoOn:
       case Step::kStalled:  // it may go on until it is late
+        aimAgain(&motion);
+        trail_.record(motion.last.T_world_object);
+        break;
+      case Step::kGoOn:
         trail_.record(motion.last.T_world_object);
         break;
       case Step::kArrived:
@@ -204,7 +170,7 @@ RosRobot::Motion RosRobot::begin(const Path& path) {
     motion.refused = MotionResult{MotionEnd::kFault, joints.reason(), 0.0};
     return motion;
   }
-  const Result<JointTrajectory> trajectory = commands_->along(*joints, path);
+  const Result<JointTrajectory> trajectory = commands_->along(*joints, here, path);
   if (!trajectory) {
     motion.refused = MotionResult{MotionEnd::kUnreachable, trajectory.reason(), 0.0};
     return motion;
@@ -214,6 +180,20 @@ RosRobot::Motion RosRobot::begin(const Path& path) {
   motion.progress = {now.time, here, target, trajectory->points.back().time};
   send(*trajectory);
   return motion;
+}
+
+// Where tf and the arm's description differ, what they do so at the target is known only there.
+void RosRobot::aimAgain(Motion* motion) {
+  const Pose& here = motion->last.T_world_object;
+  const Pose& target = motion->progress.target();
+  if (motion->aims == kMostAims || gapBetween(here, target) > kMostToolGap) return;
+  const Result<std::vector<double>> joints = joints_.positionsAt(motion->last.time);
+  if (!joints) return;
+  const Result<JointTrajectory> trajectory = commands_->along(*joints, here, {here, target});
+  if (!trajectory || trajectory->points.empty()) return;
+  ++motion->aims;
+  motion->progress.setOutAgain(trajectory->points.back().time);
+  send(*trajectory);
 }
 
 RosRobot::Step RosRobot::advance(Motion* motion) {

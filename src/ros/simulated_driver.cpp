@@ -35,10 +35,12 @@ class CartesianDriver : public SimulatedDriver {
 /// controller's frame `base`, at each sample; links under base_link.
 class ArmDriver : public SimulatedDriver {
  public:
-  ArmDriver(const Scenario& scenario, const FrameNames& frames)
+  ArmDriver(const Scenario& scenario, const FrameNames& frames, const UrdfModel& arm,
+            const Vec3& tcp)
       : frames_(frames),
         T_world_base_link_(scenario.T_world_base),
-        urdf_(armUrdf(scenario.robot)),
+        T_flange_tcp_(tcp),
+        urdf_(arm),
         arm_(urdf_, armMotionParameters(scenario)) {
     const KinematicTree& tree = arm_.model().tree();
     T_base_base_link_ =
@@ -58,7 +60,8 @@ class ArmDriver : public SimulatedDriver {
   }
 
   Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const override {
-    const Pose T_base_link_tool = arm_.model().toolPose(toJointVector(robot.jointPositions()));
+    const Pose T_base_link_tool =
+        arm_.model().toolPose(toJointVector(robot.jointPositions())) * T_flange_tcp_;
     return {
         stampedTransform(kController, names().tool, T_base_base_link_ * T_base_link_tool, stamp)};
   }
@@ -99,6 +102,7 @@ class ArmDriver : public SimulatedDriver {
 
   FrameNames frames_;
   Pose T_world_base_link_;
+  Eigen::Translation3d T_flange_tcp_;
   Pose T_base_base_link_ = Pose::Identity();  ///< from the driver's base to the URDF's base_link
   UrdfModel urdf_;
   ArmMotion arm_;
@@ -108,8 +112,14 @@ class ArmDriver : public SimulatedDriver {
 
 std::unique_ptr<SimulatedDriver> makeSimulatedDriver(const Scenario& scenario,
                                                      const FrameNames& frames) {
-  if (isArm(scenario.robot)) return std::make_unique<ArmDriver>(scenario, frames);
+  if (isArm(scenario.robot))
+    return makeArmDriver(scenario, frames, armUrdf(scenario.robot), Vec3::Zero());
   return std::make_unique<CartesianDriver>(frames);
+}
+
+std::unique_ptr<SimulatedDriver> makeArmDriver(const Scenario& scenario, const FrameNames& frames,
+                                               const UrdfModel& arm, const Vec3& tcp) {
+  return std::make_unique<ArmDriver>(scenario, frames, arm, tcp);
 }
 
 }  // namespace smore

@@ -43,4 +43,9 @@ class SimulatedDriver {
 std::unique_ptr<SimulatedDriver> makeSimulatedDriver(const Scenario& scenario,
                                                      const FrameNames& frames);
 
+/// The driver of an arm with this description, on whose pendant a tool centre point is set [m, in
+/// the flange's frame]: the driver gives its pose for the sensor's.
+std::unique_ptr<SimulatedDriver> makeArmDriver(const Scenario& scenario, const FrameNames& frames,
+                                               const UrdfModel& arm, const Vec3& tcp);
+
 }  // namespace smore

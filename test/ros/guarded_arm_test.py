@@ -26,7 +26,7 @@ class GuardedArm(unittest.TestCase):
         self.assertIn("the guard has stopped the robot: the force", result.message)
         self.assertIsNotNone(fault.wait_for(lambda message: "the force" in message.data))
 
-        joints = Recorder("joint_states", JointState)
+        joints = Recorder("/joint_states", JointState)
         standing = joints.wait_for(lambda m: all(abs(v) < AT_REST for v in m.velocity))
         self.assertIsNotNone(standing, "the arm did not stop")
 

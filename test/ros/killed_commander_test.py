@@ -2,18 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """In a simulation without a guard the arm stops with who commands it."""
 
-import os
 import signal
 
 import rostest
 
 from node_killing import KillingTest
 
-TESTS = os.path.dirname(os.path.abspath(__file__))
-
 
 class KilledCommander(KillingTest):
-    LAUNCH_FILE = os.path.join(TESTS, os.pardir, os.pardir, "launch", "loop.launch")
+    GUARD = False
 
     def test_the_retrieval_is_killed(self):
         self.stands_after(self.loop.signal, "retrieval", signal.SIGKILL)

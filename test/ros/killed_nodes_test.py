@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whatever node ends in a motion behind the guard, and however, the arm comes to rest."""
 
-import os
 import signal
 
 import rostest
@@ -11,7 +10,7 @@ from node_killing import KillingTest
 
 
 class KilledNodes(KillingTest):
-    LAUNCH_FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "guarded_loop.launch")
+    GUARD = True
 
     def test_the_guard_is_killed(self):
         self.stands_after(self.loop.signal, "guard", signal.SIGKILL)

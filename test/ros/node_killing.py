@@ -17,6 +17,7 @@ from node_testing import DEADLINE, Recorder, start_node
 from smore.msg import RetrieveAction, RetrieveGoal
 
 CALLER = "/node_killing"
+LAUNCH_FILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "robot_loop.launch")
 MOVES = 0.05  # a joint that moves is faster [rad/s]
 STANDS = 2e-3  # a joint that stands is slower [rad/s]
 WATCHED = 1.0  # after the end of a node [s of the arm's own time]
@@ -32,14 +33,14 @@ def speed(joints):
 
 def api_of(node):
     """What each node offers to others."""
-    return xmlrpc.client.ServerProxy(rosgraph.Master(CALLER).lookupNode("/" + node))
+    return xmlrpc.client.ServerProxy(rosgraph.Master(CALLER).lookupNode(rospy.resolve_name(node)))
 
 
 class Simulator:
     """The arm, which outlives the nodes."""
 
     def __init__(self):
-        self.joints = Recorder("joint_states", JointState)
+        self.joints = Recorder("/joint_states", JointState)
         assert self.joints.wait_for_publisher()
         rospy.wait_for_service("simulator/reset", DEADLINE)
         self.reset = rospy.ServiceProxy("simulator/reset", Trigger)
@@ -60,9 +61,9 @@ class Simulator:
 
 
 class KillingTest(unittest.TestCase):
-    """A retrieval that moves the arm, by a launch file that the derived class names."""
+    """A retrieval that moves the arm, behind a guard or not, as the derived class says."""
 
-    LAUNCH_FILE = None
+    GUARD = None
 
     @classmethod
     def setUpClass(cls):
@@ -71,7 +72,7 @@ class KillingTest(unittest.TestCase):
 
     def setUp(self):
         self.assertTrue(self.simulator.reset().success)
-        self.loop = RunningLoop(self.LAUNCH_FILE, "ur5e_one_peg_quiet")
+        self.loop = RunningLoop("ur5e_one_peg_quiet", self.GUARD)
         self.addCleanup(self.loop.end)
         self.assertTrue(self.simulator.wait_for_motion())
 
@@ -80,10 +81,11 @@ class KillingTest(unittest.TestCase):
 
 
 class RunningLoop:
-    """A launch file's nodes, with a goal."""
+    """All nodes but the robot's, with a goal, in the namespace of the test."""
 
-    def __init__(self, launch_file, scenario):
-        self.launch = subprocess.Popen(["roslaunch", launch_file, "scenario:=" + scenario])
+    def __init__(self, scenario, guard):
+        arguments = [f"scenario:={scenario}", f"guard:={str(guard).lower()}"]
+        self.launch = subprocess.Popen(["roslaunch", LAUNCH_FILE, *arguments])
         self._client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
         assert self._client.wait_for_server(rospy.Duration(DEADLINE)), "no retrieval"
         self._client.send_goal(RetrieveGoal())

@@ -25,7 +25,7 @@ class Launch:
 
     def __init__(self, *arguments):
         self._process = subprocess.Popen(["roslaunch", "smore", *arguments])
-        self._client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
+        self._client = actionlib.SimpleActionClient("smore/retrieve", RetrieveAction)
         assert self._client.wait_for_server(rospy.Duration(DEADLINE)), "no retrieval"
 
     def __enter__(self):
@@ -51,7 +51,7 @@ class Relaunch(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             summary = pathlib.Path(folder, "summary.json")
             with Launch(*robot, f"output:={folder}", "zero_service:=/gone/zero", "max_collisions:=3") as first:
-                self.assertEqual(rospy.get_param("/retrieval/zero_service"), "/gone/zero")
+                self.assertEqual(rospy.get_param("/smore/retrieval/zero_service"), "/gone/zero")
                 self.assertEqual(first.begin_and_cancel(), GoalStatus.PREEMPTED)
                 self.assertTrue(wait_until(summary.is_file))
             summary.write_text("kept", encoding="ascii")
@@ -59,8 +59,8 @@ class Relaunch(unittest.TestCase):
             with Launch(*robot, "zero_service:=none") as second:
                 self.assertFalse(rospy.get_param("/use_sim_time"))
                 for name in ("output", "zero_service"):
-                    self.assertFalse(rospy.has_param("/retrieval/" + name), name)
-                self.assertEqual(rospy.get_param("/retrieval/max_collisions"), 100)
+                    self.assertFalse(rospy.has_param("/smore/retrieval/" + name), name)
+                self.assertEqual(rospy.get_param("/smore/retrieval/max_collisions"), 100)
                 self.assertEqual(second.begin_and_cancel(), GoalStatus.PREEMPTED)
             self.assertEqual(summary.read_text(encoding="ascii"), "kept")
 

@@ -29,6 +29,11 @@ class MotionProgress {
   /// 1; below kLeastScaling the robot is paused.
   MotionStage update(double time, const Pose& here, double scaling);
 
+  /// The robot sets out again for the same target, which should take `duration` [s] at full speed.
+  void setOutAgain(double duration);
+
+  const Pose& target() const { return target_; }
+
   /// Way of the origin so far [m].
   double length() const { return length_; }
 

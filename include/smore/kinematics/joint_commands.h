@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "smore/common/geometry.h"
 #include "smore/common/joint_trajectory.h"
 #include "smore/common/result.h"
+#include "smore/kinematics/urdf_model.h"
 #include "smore/scenario/scenario.h"
 
 namespace smore {
@@ -23,10 +25,23 @@ class JointCommands {
   /// The motion from the joint positions `now` along `path` (T_world_object), at the scenario's
   /// speed; the reason where the robot cannot do all of it. No points where it is at the end of the
   /// path already.
-  virtual Result<JointTrajectory> along(const std::vector<double>& now, const Path& path) const = 0;
+  ///
+  /// At `now` the object is seen at `seen` (T_world_object). What it is off there from where joints
+  /// and description have it is taken to stay the same in the object's axes, so that the object is
+  /// seen along the path, and the motion begins without a jump.
+  virtual Result<JointTrajectory> along(const std::vector<double>& now, const Pose& seen,
+                                        const Path& path) const = 0;
+
+  /// How far the tool is seen, by the object's pose `seen` (T_world_object), from where joints and
+  /// description have it, in the axes of the tool: identity where both agree. Nothing for a robot
+  /// without description.
+  virtual std::optional<Pose> toolGap(const std::vector<double>& now, const Pose& seen) const = 0;
 };
 
-/// The joint commands of the scenario's robot.
+/// The joint commands of the scenario's robot; an arm is the maker's nominal one.
 std::unique_ptr<JointCommands> makeJointCommands(const Scenario& scenario);
+
+/// The same for the scenario's arm by this description, which has the frames of ArmFrames.
+std::unique_ptr<JointCommands> makeJointCommands(const Scenario& scenario, const UrdfModel& arm);
 
 }  // namespace smore

@@ -77,12 +77,16 @@ class RosRobot : public Robot {
   struct Motion;
 
   std::string missingBeside(const ContactObservation& observation);
+  /// Why no motion may begin where tf has the tool; empty where one may.
+  std::string toolProblem() const;
   /// Why the guard has stopped the robot; empty: it has not.
   std::string guardFault() const;
   /// Nothing if none comes within the silence timeout, or the user asks for the stop meanwhile.
   std::optional<ContactObservation> nextObservation();
   Motion begin(const Path& path);
   Step advance(Motion* motion);
+  /// Corrects a motion that stands close to its target.
+  void aimAgain(Motion* motion);
   /// One motion along `back`, to its end or until the robot stands.
   MotionResult goBack(const Path& back);
   /// Sends a motion unless the user has asked for the stop.

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "smore/kinematics/urdf_model.h"
+
+namespace smore {
+
+/// An arm as it came out of its factory: each of its six joints off by a normal error of `stddev`
+/// [m] on each axis and [rad] about each, drawn from the seed; the maker's nominal one for 0.
+UrdfModel calibratedArm(RobotKind arm, double stddev, std::uint64_t seed);
+
+/// A robot description with the arm's six joints and their links and nothing else, as text: what a
+/// user's description, made with the factory's calibration, knows of the arm.
+std::string jointsDescription(const UrdfModel& arm);
+
+}  // namespace smore

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/ros/arm_description.h"
+
+#include <ros/ros.h>
+
+#include "smore/kinematics/described_arm.h"
+
+namespace smore {
+
+std::string readDescriptionName(ParameterReader* reader) {
+  std::string name;
+  if (reader->has("robot_description")) reader->text("robot_description", &name);
+  return name;
+}
+
+UrdfModel armByDescription(RobotKind arm, const std::string& name) {
+  if (name.empty()) return armUrdf(arm);
+  std::string xml;
+  if (!ros::param::get(name, xml)) {
+    ROS_WARN_STREAM("no parameter '" << name << "': the arm is the maker's nominal "
+                                     << robotName(arm)
+                                     << ", from which a real one differs by millimetres; is the "
+                                        "driver up?");
+    return armUrdf(arm);
+  }
+  return describedArm(arm, parseUrdf(xml, "the parameter " + name));
+}
+
+std::unique_ptr<JointCommands> describedCommands(const Scenario& scenario,
+                                                 const std::string& name) {
+  if (!isArm(scenario.robot)) return makeJointCommands(scenario);
+  return makeJointCommands(scenario, armByDescription(scenario.robot, name));
+}
+
+}  // namespace smore

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/simulation/calibrated_arm.h"
+
+#include <iomanip>
+#include <random>
+#include <set>
+#include <sstream>
+
+#include "smore/kinematics/arm_model.h"
+
+namespace smore {
+namespace {
+
+// A turn by small angles about three axes.
+urdf::Rotation turned(const urdf::Rotation& rotation, const Vec3& angles) {
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(angles.norm(), angles.stableNormalized()));
+  const Eigen::Quaterniond result =
+      Eigen::Quaterniond(rotation.w, rotation.x, rotation.y, rotation.z) * turn;
+  return {result.x(), result.y(), result.z(), result.w()};
+}
+
+void writeJoint(const urdf::Joint& joint, std::ostream* text) {
+  const urdf::Pose& origin = joint.parent_to_joint_origin_transform;
+  double roll = 0.0, pitch = 0.0, yaw = 0.0;
+  origin.rotation.getRPY(roll, pitch, yaw);
+  *text << R"(<joint name=")" << joint.name << R"(" type="revolute"><parent link=")"
+        << joint.parent_link_name << R"("/><child link=")" << joint.child_link_name
+        << R"("/><origin xyz=")" << origin.position.x << ' ' << origin.position.y << ' '
+        << origin.position.z << R"(" rpy=")" << roll << ' ' << pitch << ' ' << yaw
+        << R"("/><axis xyz=")" << joint.axis.x << ' ' << joint.axis.y << ' ' << joint.axis.z
+        << R"("/><limit lower=")" << joint.limits->lower << R"(" upper=")" << joint.limits->upper
+        << R"(" velocity=")" << joint.limits->velocity << R"(" effort=")" << joint.limits->effort
+        << "\"/></joint>\n";
+}
+
+}  // namespace
+
+UrdfModel calibratedArm(RobotKind arm, double stddev, std::uint64_t seed) {
+  UrdfModel urdf = armUrdf(arm);
+  if (stddev <= 0.0) return urdf;
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> error(0.0, stddev);
+  const auto draw = [&] { return Vec3(error(random), error(random), error(random)); };
+  const ArmModel model(urdf);
+  for (const std::string& name : model.jointNames()) {
+    urdf::Pose& origin = urdf->joints_.at(name)->parent_to_joint_origin_transform;
+    const Vec3 moved = draw();
+    origin.position.x += moved.x();
+    origin.position.y += moved.y();
+    origin.position.z += moved.z();
+    origin.rotation = turned(origin.rotation, draw());
+  }
+  return urdf;
+}
+
+std::string jointsDescription(const UrdfModel& arm) {
+  std::ostringstream text;
+  text << std::setprecision(17) << R"(<?xml version="1.0"?><robot name="calibrated_arm">)"
+       << "\n";
+  std::set<std::string> links;
+  const ArmModel model(arm);
+  for (const std::string& name : model.jointNames()) {
+    const urdf::Joint& joint = *arm->getJoint(name);
+    links.insert({joint.parent_link_name, joint.child_link_name});
+    writeJoint(joint, &text);
+  }
+  for (const std::string& link : links) text << R"(<link name=")" << link << "\"/>\n";
+  text << "</robot>\n";
+  return text.str();
+}
+
+}  // namespace smore
