@@ -6,6 +6,22 @@
 #include "smore/kinematics/described_arm.h"
 
 namespace smore {
+namespace {
+
+// A driver that is started at the same time sets its parameter meanwhile [s of wall time].
+constexpr double kPatience = 5.0;
+constexpr double kLookPeriod = 0.1;  // [s]
+
+bool waitForText(const std::string& name, std::string* text) {
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kPatience);
+  while (!ros::param::get(name, *text)) {
+    if (!ros::ok() || ros::WallTime::now() > deadline) return false;
+    ros::WallDuration(kLookPeriod).sleep();
+  }
+  return true;
+}
+
+}  // namespace
 
 std::string readDescriptionName(ParameterReader* reader) {
   std::string name;
@@ -16,7 +32,7 @@ std::string readDescriptionName(ParameterReader* reader) {
 UrdfModel armByDescription(RobotKind arm, const std::string& name) {
   if (name.empty()) return armUrdf(arm);
   std::string xml;
-  if (!ros::param::get(name, xml)) {
+  if (!waitForText(name, &xml)) {
     ROS_WARN_STREAM("no parameter '" << name << "': the arm is the maker's nominal "
                                      << robotName(arm)
                                      << ", from which a real one differs by millimetres; is the "

@@ -15,8 +15,8 @@ namespace smore {
 std::string readDescriptionName(ParameterReader* reader);
 
 /// The arm as the parameter of that name describes it (describedArm). The maker's nominal one for
-/// an empty name, and, with a warning, where the parameter is not set. InputError where it does not
-/// describe this arm.
+/// an empty name, and, with a warning, where the parameter is not set within 5 s. InputError where
+/// it does not describe this arm.
 UrdfModel armByDescription(RobotKind arm, const std::string& name);
 
 /// The joint commands of the scenario's robot, an arm by that description.
