@@ -128,16 +128,6 @@ int exitCode(const std::vector<smore::TrialResult>& trials) {
   return smore::kInternalError;
 }
 
-// What is wrong with them is told before the first trial.
-void checkPriors(const smore::Scenario& scenario, const Arguments& arguments) {
-  if (scenario.prior.empty()) return;
-  if (arguments.parameters.method != smore::MethodKind::kSmore) {
-    throw smore::InputError("scenario " + scenario.name + ": prior: the method " +
-                            arguments.method + " cannot use what is known beforehand; use smore");
-  }
-  (void)smore::makePriors(scenario);
-}
-
 int run(Arguments arguments) {
   arguments.parameters.method = smore::methodKind(arguments.method);
   if (!arguments.method_parameters.empty() && arguments.method != "smore") {
@@ -156,7 +146,7 @@ int run(Arguments arguments) {
   if (!for_real_robots) {
     (void)smore::makeSimulatedRobot(scenario, arguments.parameters.seed);  // refuses what cannot be
   }
-  checkPriors(scenario, arguments);
+  smore::checkPriors(arguments.parameters.method, smore::makePriors(scenario));
   if (arguments.validate) {
     const bool told =
         arguments.output.empty() || writeFile(smore::toJson(scenario), arguments.output);

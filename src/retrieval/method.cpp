@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/retrieval/method.h"
 
+#include <array>
 #include <utility>
 
 #include "smore/common/result.h"
 #include "smore/mapping/joint_belief.h"
 #include "smore/mapping/sequential_belief.h"
+#include "smore/planning/blocked_movements.h"
+#include "smore/planning/collision_hypotheses.h"
 #include "smore/planning/cspace_memory.h"
 #include "smore/planning/cspace_planner.h"
 #include "smore/planning/map_planner.h"
+#include "smore/planning/movement_planner.h"
 #include "smore/planning/risk_planner.h"
 #include "smore/retrieval/informed_touches.h"
 
 namespace smore {
 namespace {
+
+constexpr std::array kMethodKinds = {MethodKind::kPaper, MethodKind::kCspace, MethodKind::kSmore,
+                                     MethodKind::kBlocked, MethodKind::kChs};
 
 // Planners count their calls up from their seed: trials whose seeds are neighbours must not share
 // random numbers. No trial makes so many plans.
@@ -38,12 +45,6 @@ std::unique_ptr<JointBelief> makeJointBelief(const Scenario& scenario, std::uint
   for (const Prior& prior : priors.object) belief->know(MapSide::kObject, prior);
   for (const Prior& prior : priors.world) belief->know(MapSide::kWorld, prior);
   return belief;
-}
-
-void refusePriors(MethodKind kind, const Priors& priors) {
-  if (priors.empty()) return;
-  throw InputError("prior: the method " + methodName(kind) +
-                   " cannot use what is known beforehand; use smore, or leave the key out");
 }
 
 // The planner's step is the paper's: one voxel.
@@ -75,6 +76,35 @@ Method makeCspace(const Scenario& scenario, std::uint64_t seed) {
   return method;
 }
 
+// A tree that has not reached the goal by so many samples is given up for one at a higher limit.
+constexpr int kSamplesPerLimit = 4000;
+
+// What learns from movements, and the planner that asks it.
+template <typename Memory>
+Method makeMovementMethod(const Scenario& scenario, std::uint64_t seed,
+                          std::unique_ptr<Memory> memory) {
+  Method method;
+  method.maps = makeSequentialBelief(scenario);
+  MovementPlannerParameters parameters;
+  parameters.path = pathParameters(scenario);
+  parameters.path.max_iterations = kSamplesPerLimit;
+  method.planner = std::make_unique<MovementPlanner>(*memory, scenario.motionSpace(), parameters,
+                                                     plannerSeed(seed));
+  method.memory = std::move(memory);
+  method.touches = std::make_unique<RandomTouches>(scenario.motionSpace(), seed);
+  return method;
+}
+
+Method makeBlocked(const Scenario& scenario, std::uint64_t seed) {
+  return makeMovementMethod(scenario, seed, std::make_unique<BlockedMovements>());
+}
+
+Method makeChs(const Scenario& scenario, std::uint64_t seed, const Priors& priors) {
+  return makeMovementMethod(
+      scenario, seed,
+      std::make_unique<CollisionHypotheses>(priors.object, scenario.motion == Motion::kPlanar));
+}
+
 Method makeSmore(const Scenario& scenario, std::uint64_t seed, const MethodParameters& parameters,
                  const Priors& priors) {
   Method method;
@@ -90,15 +120,19 @@ Method makeSmore(const Scenario& scenario, std::uint64_t seed, const MethodParam
 }  // namespace
 
 MethodKind methodKind(const std::string& name) {
-  for (const MethodKind kind : {MethodKind::kPaper, MethodKind::kCspace, MethodKind::kSmore}) {
+  std::string names;
+  for (const MethodKind kind : kMethodKinds) {
     if (methodName(kind) == name) return kind;
+    names += (names.empty() ? "" : ", ") + methodName(kind);
   }
-  throw InputError("unknown method '" + name + "'; use paper, cspace or smore");
+  throw InputError("unknown method '" + name + "'; use one of " + names);
 }
 
 std::vector<std::string> methodNames() {
-  return {methodName(MethodKind::kPaper), methodName(MethodKind::kCspace),
-          methodName(MethodKind::kSmore)};
+  std::vector<std::string> names;
+  names.reserve(kMethodKinds.size());
+  for (const MethodKind kind : kMethodKinds) names.push_back(methodName(kind));
+  return names;
 }
 
 std::string methodName(MethodKind kind) {
@@ -109,21 +143,38 @@ std::string methodName(MethodKind kind) {
       return "cspace";
     case MethodKind::kSmore:
       return "smore";
+    case MethodKind::kBlocked:
+      return "blocked";
+    case MethodKind::kChs:
+      return "chs";
   }
   return "unknown";
+}
+
+void checkPriors(MethodKind kind, const Priors& priors) {
+  if (kind == MethodKind::kSmore) return;
+  if (kind == MethodKind::kChs) {
+    if (!priors.object.empty() && priors.world.empty()) return;
+    throw InputError(
+        "prior: the method chs must be told the object's shape and nothing of the world; give "
+        "prior: {object: [{source: truth}]} in the scenario, or use another method");
+  }
+  if (priors.empty()) return;
+  throw InputError("prior: the method " + methodName(kind) +
+                   " cannot use what is known beforehand; use smore, or leave the key out");
 }
 
 std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
                                      const JointBeliefParameters& parameters,
                                      const Priors& priors) {
+  checkPriors(kind, priors);
   if (kind == MethodKind::kSmore) return makeJointBelief(scenario, seed, parameters, priors);
-  refusePriors(kind, priors);
   return makeSequentialBelief(scenario);
 }
 
 Method makeMethod(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
                   const MethodParameters& parameters, const Priors& priors) {
-  if (kind != MethodKind::kSmore) refusePriors(kind, priors);
+  checkPriors(kind, priors);
   switch (kind) {
     case MethodKind::kPaper:
       return makePaper(scenario, seed);
@@ -131,6 +182,10 @@ Method makeMethod(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
       return makeCspace(scenario, seed);
     case MethodKind::kSmore:
       return makeSmore(scenario, seed, parameters, priors);
+    case MethodKind::kBlocked:
+      return makeBlocked(scenario, seed);
+    case MethodKind::kChs:
+      return makeChs(scenario, seed, priors);
   }
   throw InputError("unknown method");
 }

@@ -37,8 +37,10 @@ ExperimentParameters parametersFor(MethodKind method) {
 class EachMethod : public ::testing::TestWithParam<MethodKind> {};
 
 TEST_P(EachMethod, bringsTheObjectToTheGoal) {
+  Scenario scenario = smallScene();
+  if (GetParam() == MethodKind::kChs) scenario.prior.object = {PriorSource{}};
   const auto trials =
-      runExperiment(smallScene(), parametersFor(GetParam()), kNotInterrupted, [](const auto&) {});
+      runExperiment(scenario, parametersFor(GetParam()), kNotInterrupted, [](const auto&) {});
   ASSERT_EQ(trials.size(), 2u);
   for (const TrialResult& trial : trials) {
     EXPECT_TRUE(trial.success) << trial.reason;
@@ -50,7 +52,8 @@ TEST_P(EachMethod, bringsTheObjectToTheGoal) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, EachMethod,
                          ::testing::Values(MethodKind::kPaper, MethodKind::kCspace,
-                                           MethodKind::kSmore),
+                                           MethodKind::kSmore, MethodKind::kBlocked,
+                                           MethodKind::kChs),
                          [](const auto& instance) { return methodName(instance.param); });
 
 TEST(RunExperiment, givesTheSameResultsWithTwoJobs) {

@@ -139,10 +139,19 @@ TEST_F(KnownEvidence, isRefusedWhereItsRecordIsDamaged) {
 }
 
 TEST_F(KnownEvidence, isRefusedByMethodsThatCannotUseIt) {
-  for (const MethodKind kind : {MethodKind::kPaper, MethodKind::kCspace}) {
+  for (const MethodKind kind : {MethodKind::kPaper, MethodKind::kCspace, MethodKind::kBlocked}) {
     EXPECT_THROW((void)makeMethod(kind, source_.task, 1, {}, source_.priors), InputError);
     EXPECT_THROW((void)makeTwinMap(kind, source_.task, 1, {}, source_.priors), InputError);
   }
+}
+
+TEST_F(KnownEvidence, ofTheObjectAloneIsWhatChsMustBeTold) {
+  Priors told = source_.priors;
+  EXPECT_THROW(checkPriors(MethodKind::kChs, told), InputError) << "of the world as well";
+  told.world.clear();
+  EXPECT_NO_THROW(checkPriors(MethodKind::kChs, told));
+  told.object.clear();
+  EXPECT_THROW(checkPriors(MethodKind::kChs, told), InputError) << "nothing at all";
 }
 
 }  // namespace

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "smore/contact/contact_observation.h"
+#include "smore/planning/pose_index.h"
 
 namespace smore {
 
@@ -36,7 +35,7 @@ class CspaceMemory : public ContactObserver {
   /// `known_free`).
   bool isValid(const Pose& pose, const Pose& known_free) const;
 
-  const std::vector<Pose>& contactPoses() const { return poses_; }
+  const std::vector<Pose>& contactPoses() const { return contacts_.poses(); }
   double radius() const { return parameters_.radius; }
 
   /// Forgets everything.
@@ -44,9 +43,8 @@ class CspaceMemory : public ContactObserver {
 
  private:
   CspaceMemoryParameters parameters_;
-  std::vector<Pose> poses_;
+  PoseIndex contacts_;
   std::optional<int> last_contact_id_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;  ///< positions in poses_
 };
 
 }  // namespace smore

@@ -16,12 +16,14 @@
 namespace smore {
 
 enum class MethodKind {
-  kPaper,   ///< the laws in sequence; RRT around voxels with P >= 0.5
-  kCspace,  ///< the paper's baseline: RRT around the poses of known contacts; no use of the maps
-  kSmore,   ///< the best that this project can do
+  kPaper,    ///< the laws in sequence; RRT around voxels with P >= 0.5
+  kCspace,   ///< the paper's baseline: RRT around the poses of known contacts; no use of the maps
+  kSmore,    ///< the best that this project can do
+  kBlocked,  ///< probabilities of configurations from blocked movements (Pajarinen et al., 2020)
+  kChs,      ///< told the object's shape: collision hypothesis sets (Saund and Berenson, 2018)
 };
 
-/// Kind of a name, `paper`, `cspace` or `smore`; InputError for any other.
+/// Kind of a name, one of methodNames(); InputError for any other.
 MethodKind methodKind(const std::string& name);
 std::string methodName(MethodKind kind);
 
@@ -41,9 +43,13 @@ struct Method {
   }
 };
 
+/// InputError where a method cannot use what is known beforehand, or lacks what it must be told:
+/// only smore takes it all, and chs needs the object's shape, and nothing of the world.
+void checkPriors(MethodKind kind, const Priors& priors);
+
 /// The twin map of a method. What it may know of the scenario: voxel size, workspace, motion, and
-/// the sensor's declared noise; never the shapes. Only smore uses `parameters`, and only smore can
-/// make use of what is known beforehand: InputError where another method is told something.
+/// the sensor's declared noise; never the shapes, but by `priors` (checkPriors). Only smore uses
+/// `parameters`.
 std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
                                      const JointBeliefParameters& parameters = {},
                                      const Priors& priors = {});

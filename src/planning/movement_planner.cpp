@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/planning/movement_planner.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "smore/mapping/counter_random.h"
+
+namespace smore {
+
+MovementPlanner::MovementPlanner(const MovementBelief& belief, const MotionSpace& space,
+                                 const MovementPlannerParameters& parameters, std::uint32_t seed)
+    : belief_(belief), space_(space), parameters_(parameters), seed_(seed) {
+  const std::vector<double>& limits = parameters.limits;
+  const bool sound = parameters.trees >= 1 && !limits.empty() && limits.front() >= 0.0 &&
+                     limits.back() == 1.0 && std::is_sorted(limits.begin(), limits.end());
+  if (!sound) throw std::invalid_argument("trees or limits of a movement planner out of range");
+  const PathPlanner checks_the_rest(space, parameters.path, seed);
+}
+
+Result<Plan> MovementPlanner::plan(const Pose& start, const Pose& goal) {
+  const std::uint32_t call = seed_++;
+  const auto seed_of = [call](int tree) {
+    return static_cast<std::uint32_t>(mixBits(call, static_cast<std::uint64_t>(tree)));
+  };
+  Result<Plan> best = Failure{"no limit"};
+  for (const double limit : parameters_.limits) {
+    best = growTree(start, goal, limit, seed_of(0));
+    for (int tree = 1; best && tree < parameters_.trees; ++tree) {
+      Result<Plan> other = growTree(start, goal, limit, seed_of(tree));
+      if (other && other->risk < best->risk) best = std::move(other);
+    }
+    if (best) break;
+  }
+  return best;
+}
+
+Result<Plan> MovementPlanner::growTree(const Pose& start, const Pose& goal, double limit,
+                                       std::uint32_t seed) const {
+  PathPlanner planner(space_, parameters_.path, seed);
+  planner.keepTree(keep_tree_);
+  const auto path = planner.plan(
+      start, goal, [](const Pose& /*pose*/) { return true; },
+      [&](const Pose& from, const Pose& to) {
+        return 1.0 - belief_.success({from, to}) <= limit;
+      });
+  if (!path) return Failure{path.reason()};
+  return Plan{*path, 1.0 - belief_.success(*path), planner.tree()};
+}
+
+}  // namespace smore
