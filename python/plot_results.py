@@ -22,8 +22,9 @@ import numpy as np
 # Section IV of the paper: object with two pegs, mean of ten trials.
 PAPER_SCENE = "s_shape_two_pegs"
 PAPER = (("SMORE", 96, "#3b6fb6"), ("C-space planner", 548, "#7a7a7a"), ("Soft Actor-Critic", 3136, "#b0763a"))
-COLORS = {"smore": "#1a9641", "chs": "#8e24aa", "blocked": "#d9730d", "paper": "#3b6fb6", "cspace": "#7a7a7a"}
-ORDER = ("smore", "chs", "blocked", "paper", "cspace")
+COLORS = {"smore": "#1a9641", "smore_told": "#7fbf3f", "chs": "#8e24aa", "blocked": "#d9730d", "paper": "#3b6fb6", "cspace": "#7a7a7a"}
+ORDER = ("smore", "smore_told", "chs", "blocked", "paper", "cspace")
+LEAST = 0.8  # where a trial without a collision stands on the logarithmic axis
 SPREAD = 0.16  # of the dots around their method's place
 
 
@@ -52,7 +53,7 @@ def read(files):
 
 def draw_method(axes, place, trials, color):
     collisions = np.array([trial["collisions"] for trial in trials])
-    counts = np.maximum(collisions, 0.8)  # a trial without a collision stands on the axis' lower end
+    counts = np.maximum(collisions, LEAST)
     reached = np.array([trial["success"] for trial in trials])
     axes.boxplot(
         counts, positions=[place], widths=0.5, showfliers=False, patch_artist=True,
@@ -70,7 +71,7 @@ def draw_method(axes, place, trials, color):
 
 
 def draw(trials, title, scenarios):
-    figure, axes = plt.subplots(figsize=(2.6 + 1.7 * max(len(trials), 2), 4.8), constrained_layout=True)
+    figure, axes = plt.subplots(figsize=(2.6 + (1.7 if len(trials) < 4 else 1.1) * max(len(trials), 2), 4.8), constrained_layout=True)
     for name, count, color in PAPER if scenarios == [PAPER_SCENE] else ():
         axes.axhline(count, color=color, linestyle="--", linewidth=1.0, alpha=0.8)
         axes.annotate(
@@ -87,7 +88,7 @@ def draw(trials, title, scenarios):
     axes.set_ylim(0.7, 8000)
     axes.set_xlim(-0.6, len(trials) + 0.4)
     axes.set_xticks(range(len(trials)))
-    axes.set_xticklabels(labels)
+    axes.set_xticklabels(labels, fontsize=9 if len(trials) < 4 else 7.5)
     axes.set_ylabel("collisions until the goal")
     axes.grid(axis="y", which="major", alpha=0.3)
     axes.set_title(title, fontsize=11)

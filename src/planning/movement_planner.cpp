@@ -23,14 +23,20 @@ Result<Plan> MovementPlanner::plan(const Pose& start, const Pose& goal) {
   const auto seed_of = [call](int tree) {
     return static_cast<std::uint32_t>(mixBits(call, static_cast<std::uint64_t>(tree)));
   };
-  Result<Plan> best = Failure{"no limit"};
-  for (const double limit : parameters_.limits) {
-    best = growTree(start, goal, limit, seed_of(0));
-    for (int tree = 1; best && tree < parameters_.trees; ++tree) {
-      Result<Plan> other = growTree(start, goal, limit, seed_of(tree));
-      if (other && other->risk < best->risk) best = std::move(other);
-    }
-    if (best) break;
+  const auto grow = [&](std::size_t limit, int tree) {
+    return growTree(start, goal, parameters_.limits[limit], seed_of(tree));
+  };
+  Result<Plan> best = grow(limit_, 0);
+  while (best && limit_ > 0) {
+    Result<Plan> safer = grow(limit_ - 1, 0);
+    if (!safer) break;
+    best = std::move(safer);
+    --limit_;
+  }
+  while (!best && limit_ + 1 < parameters_.limits.size()) best = grow(++limit_, 0);
+  for (int tree = 1; best && tree < parameters_.trees; ++tree) {
+    Result<Plan> other = grow(limit_, tree);
+    if (other && other->risk < best->risk) best = std::move(other);
   }
   return best;
 }

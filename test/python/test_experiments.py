@@ -14,7 +14,7 @@ import matplotlib.figure
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
-from experiments import calibration, figure7, generality, sensitivity, trials  # noqa: E402
+from experiments import calibration, figure7, generality, methods, rivals, sensitivity, trials  # noqa: E402
 from experiments.trials import Store, Trial, TrialError, run  # noqa: E402
 
 # Stands for smore_experiment: notes each call, and fails for seed 13.
@@ -77,10 +77,38 @@ class ExperimentsTest(unittest.TestCase):
             run(some, self.folder, 1)
         self.assertEqual(set(Store(self.folder).finished), {"t12", "t14"})
 
+    def test_methods_are_told_apart_and_so_are_scenes(self):
+        asked = [methods.trial(self.folder, "one_peg", method, seed) for method in methods.METHODS for seed in (7, 8)]
+        asked.append(methods.trial(self.folder, "slit", "smore", 8))
+        results = methods.results_of(run(asked, self.folder, 1))
+        self.assertEqual(list(results), ["one_peg", "slit"])
+        self.assertEqual(list(results["one_peg"]), list(methods.METHODS))
+        self.assertEqual([result["seed"] for result in results["one_peg"]["chs"]], [7, 8])
+
+    def test_only_methods_that_are_told_the_object_get_a_scene_that_tells_it(self):
+        for name, method in methods.METHODS.items():
+            trial = methods.trial(self.folder, "one_peg", name, 1)
+            self.assertEqual(trial.method, method.name)
+            if method.told:
+                text = pathlib.Path(trial.scenario).read_text()
+                self.assertTrue(text.startswith((ROOT / "config/scenarios/one_peg.yaml").read_text()))
+                self.assertTrue(text.endswith("prior: {object: [{source: truth}]}\n"))
+            else:
+                self.assertEqual(trial.scenario, "one_peg")
+
+    def test_means_are_of_the_trials_that_reached_the_goal(self):
+        some = [{"collisions": count, "success": count < 60} for count in (2, 3, 10, 60)]
+        self.assertEqual(methods.row(some), "5.0 | 3 | 2 | 10 | 3 of 4")
+        self.assertEqual(methods.row(some[3:]), "- | - | - | - | 0 of 1")
+
+    def test_all_scenes_of_the_rivals_exist(self):
+        for scene in rivals.PLANAR + rivals.SPATIAL:
+            self.assertTrue((ROOT / f"config/scenarios/{scene}.yaml").exists(), scene)
+
     def test_each_experiment_draws_its_figures(self):
         scene = self.folder / "scenes/planar_1001.yaml"
         scene.parent.mkdir()
-        for experiment in (figure7, calibration, sensitivity, generality):
+        for experiment in (figure7, rivals, calibration, sensitivity, generality):
             if experiment is generality:
                 drawn = {"object": "star", "obstacles": "pegs", "scale": 2.5, "rejected": {"no way out was found": 2}}
                 (scene.parent / "scenes.json").write_text(json.dumps({"planar_1001": drawn}))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,16 +13,16 @@ namespace smore {
 
 struct MovementPlannerParameters {
   PathPlannerParameters path;
-  /// Probabilities of failure that one movement may have, tried in this order; ascending, the last
-  /// one 1, so that there is a path.
+  /// Probabilities of failure that one movement may have, ascending; the last one is 1, so that
+  /// there is a path.
   std::vector<double> limits = {0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 0.9, 1.0};
   int trees = 4;  ///< grown at the first limit that has a path; the best is taken, at least 1
 };
 
 /// A probabilistic RRT: its edges are movements whose probability of failure stays below a limit,
-/// raised until a tree reaches the goal, so that doubtful places are passed only where there is no
-/// other way, and then the least doubtful ones. Of several trees within that limit the path with
-/// the least probability of failure as a whole is taken.
+/// the least one at which a tree reaches the goal, so that doubtful places are passed only where
+/// there is no other way, and then the least doubtful ones. Of several trees within that limit the
+/// path with the least probability of failure as a whole is taken.
 class MovementPlanner : public Planner {
  public:
   /// `belief` must outlive the planner. Call i (from 0) draws all its chances from `seed` + i.
@@ -41,6 +42,7 @@ class MovementPlanner : public Planner {
   MotionSpace space_;
   MovementPlannerParameters parameters_;
   std::uint32_t seed_;
+  std::size_t limit_ = 0;  ///< that of the last plan, where the next search begins
 };
 
 }  // namespace smore
