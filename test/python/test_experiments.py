@@ -11,10 +11,11 @@ import tempfile
 import unittest
 
 import matplotlib.figure
+import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
-from experiments import calibration, figure7, generality, methods, rivals, sensitivity, trials  # noqa: E402
+from experiments import calibration, figure3, figure4, figure7, generality, lines_through_a_voxel, methods, rivals, sensitivity, trials  # noqa: E402
 from experiments.trials import Store, Trial, TrialError, run  # noqa: E402
 
 # Stands for smore_experiment: notes each call, and fails for seed 13.
@@ -31,6 +32,16 @@ trial.update({side: {"precision": None if seed == 1001 else 0.5} for side in ("o
 open(arguments["--output"], "w").write(json.dumps({"trials": [trial]}))
 """
 
+# Stands for smore_rebuild: writes two octrees of one leaf, whose probability is a half.
+REBUILD = """#!/usr/bin/python3
+import pathlib, struct, sys
+output = pathlib.Path(sys.argv[sys.argv.index("--output") + 1])
+output.mkdir(exist_ok=True)
+header = b"# Octomap OcTree file\\nid OcTree\\nsize 1\\nres 0.03\\ndata\\n"
+for side in ("world", "object"):
+    (output / (side + ".ot")).write_bytes(header + struct.pack("<fB", 0.0, 0))
+"""
+
 
 class ExperimentsTest(unittest.TestCase):
     def setUp(self):
@@ -38,8 +49,9 @@ class ExperimentsTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
         program = self.folder / "program"
-        program.write_text(PROGRAM)
-        program.chmod(0o755)
+        for file, text in ((program, PROGRAM), (self.folder / "smore_rebuild", REBUILD)):
+            file.write_text(text)
+            file.chmod(0o755)
         self.calls = self.folder / "program.calls"
         self.addCleanup(setattr, trials, "PROGRAM", trials.PROGRAM)
         trials.PROGRAM = program
@@ -105,10 +117,34 @@ class ExperimentsTest(unittest.TestCase):
         for scene in rivals.PLANAR + rivals.SPATIAL:
             self.assertTrue((ROOT / f"config/scenarios/{scene}.yaml").exists(), scene)
 
+    def test_all_lines_of_figure_3_pass_through_the_voxel_at_different_places_of_the_object(self):
+        places = set()
+        for number in range(figure4.CONTACTS):
+            record = lines_through_a_voxel.observation(number)
+            point = np.array(record["line"]["point"])
+            places.add(tuple(np.round(point, 6)))
+            position = np.array(record["pose"]).reshape(3, 4)[:, 3]
+            away = np.cross(record["line"]["direction"], np.array([*lines_through_a_voxel.TOUCHED, 0.0]) - position - point)
+            self.assertLess(np.linalg.norm(away), 1e-12)
+        self.assertEqual(len(places), figure4.CONTACTS)
+
+    def test_the_free_law_makes_of_the_papers_example_what_the_paper_says(self):
+        for got, printed in zip(figure4.free_law(*figure4.PAPER_BEFORE), figure4.PAPER_AFTER):
+            self.assertAlmostEqual(got, printed, delta=0.005)
+
+    def test_the_free_pose_lays_the_doubtful_voxel_on_the_touched_one(self):
+        held = np.full((21, 21), np.nan)
+        held[3, 4], held[7, 5] = 0.2, 0.9
+        index = figure4.doubtful_voxel(held)
+        self.assertEqual(tuple(index), (3, 4))
+        middle = lines_through_a_voxel.middles()[1]
+        laid = np.array(figure4.place_of(index, middle)) + figure4.free_pose(index)
+        np.testing.assert_allclose(laid, lines_through_a_voxel.TOUCHED, atol=1e-12)
+
     def test_each_experiment_draws_its_figures(self):
         scene = self.folder / "scenes/planar_1001.yaml"
         scene.parent.mkdir()
-        for experiment in (figure7, rivals, calibration, sensitivity, generality):
+        for experiment in (figure3, figure4, figure7, rivals, calibration, sensitivity, generality):
             if experiment is generality:
                 drawn = {"object": "star", "obstacles": "pegs", "scale": 2.5, "rejected": {"no way out was found": 2}}
                 (scene.parent / "scenes.json").write_text(json.dumps({"planar_1001": drawn}))
