@@ -24,6 +24,12 @@ smore_pkg_config(ASSIMP assimp REQUIRED)
 smore_pkg_config(BULLET bullet-float64 REQUIRED)
 smore_pkg_config(FCL fcl REQUIRED)
 smore_pkg_config(URDFDOM urdfdom REQUIRED)
+# Bags bring pluginlib, and Debian's asks for a Python of its own: let it be the one that catkin has found. Not a
+# component of catkin, so that only what reads bags sees what comes with them.
+if(NOT DEFINED Python3_EXECUTABLE)
+  set(Python3_EXECUTABLE ${PYTHON_EXECUTABLE})
+endif()
+find_package(rosbag_storage REQUIRED)
 
 # Of Bullet's extras, but free of Bullet.
 find_path(HACD_INCLUDE_DIR HACD/hacdHACD.h PATH_SUFFIXES bullet)

@@ -1,6 +1,7 @@
 # Messages, services and actions of this package.
 
-add_message_files(DIRECTORY msg FILES ContactObservation.msg Evidence.msg LineOfAction.msg Prior.msg)
+add_message_files(DIRECTORY msg FILES ContactObservation.msg Evidence.msg EvidenceSource.msg LineOfAction.msg
+  Prior.msg SensingEvent.msg SensingEvents.msg)
 add_service_files(DIRECTORY srv FILES CheckPose.srv InsertPrior.srv LoadBelief.srv PlanPath.srv PlanTouch.srv
   SaveBelief.srv SaveMaps.srv TwinMaps.srv)
 add_action_files(DIRECTORY action FILES Retrieve.action)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "program_main.h"
+#include "smore/experiment/program_main.h"
 
 #include <iostream>
 

@@ -4,11 +4,11 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "program_main.h"
 #include "smore/common/result.h"
 #include "smore/common/version.h"
 #include "smore/experiment/command_line.h"
 #include "smore/experiment/output_paths.h"
+#include "smore/experiment/program_main.h"
 #include "smore/experiment/score_report.h"
 
 namespace {

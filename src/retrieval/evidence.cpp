@@ -2,6 +2,7 @@
 #include "smore/retrieval/evidence.h"
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 
 #include "evidence_records.h"
@@ -21,9 +22,20 @@ class EvidenceReader {
     evidence_.file = std::move(file);
   }
 
-  Evidence read() {
-    evidence_.whole =
-        readJsonLines(evidence_.file, [this](int line, const Json& record) { take(line, record); });
+  Evidence read() { return whole(readJsonLines(evidence_.file, taker())); }
+  Evidence read(std::istream* stream) {
+    return whole(readJsonLines(stream, evidence_.file, taker()));
+  }
+
+ private:
+  static constexpr int kFirstRecords = 3;
+
+  std::function<void(int, const Json&)> taker() {
+    return [this](int line, const Json& record) { take(line, record); };
+  }
+
+  Evidence whole(bool to_the_end) {
+    evidence_.whole = to_the_end;
     if (records_ < kFirstRecords) {
       throw InputError(evidence_.file +
                        ": the file ends before its header, task and method are whole; nothing can "
@@ -31,9 +43,6 @@ class EvidenceReader {
     }
     return std::move(evidence_);
   }
-
- private:
-  static constexpr int kFirstRecords = 3;
 
   void take(int line, const Json& record) {
     const JsonFields fields(record, evidence_.file + ": line " + std::to_string(line));
@@ -125,6 +134,18 @@ class EvidenceReader {
 
 Evidence readEvidence(const std::string& file, const std::optional<MethodParameters>& parameters) {
   return EvidenceReader(file, parameters).read();
+}
+
+std::string toRecords(const EvidenceSource& source) {
+  std::string text;
+  for (const Json& record : sourceRecords(source)) text += JsonLinesWriter::lineOf(record);
+  return text;
+}
+
+EvidenceSource readEvidenceSource(const std::string& records, const std::string& name,
+                                  const std::optional<MethodParameters>& parameters) {
+  std::istringstream stream(records);
+  return EvidenceReader(name, parameters).read(&stream).source;
 }
 
 void replay(const Evidence& evidence, Method* method) {

@@ -11,13 +11,7 @@ namespace smore {
 
 EvidenceRecorder::EvidenceRecorder(JsonLinesWriter* file, const EvidenceSource& source)
     : file_(file), filter_(kLossless) {
-  file_->append(headerRecord());
-  file_->append(taskRecord(source.task));
-  file_->append(methodRecord(source));
-  for (const Prior& prior : source.priors.object) {
-    file_->append(priorRecord(MapSide::kObject, prior));
-  }
-  for (const Prior& prior : source.priors.world) file_->append(priorRecord(MapSide::kWorld, prior));
+  for (const Json& record : sourceRecords(source)) file_->append(record);
 }
 
 bool EvidenceRecorder::observe(const ContactObservation& observation) {

@@ -4,7 +4,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "prior_record.h"
 #include "smore/common/version.h"
+#include "task_record.h"
 
 namespace smore {
 namespace {
@@ -39,8 +41,6 @@ LineOfAction readLine(const JsonFields& fields) {
   return line;
 }
 
-}  // namespace
-
 Json headerRecord() {
   return {{"format", kEvidenceFormat},
           {"version", kEvidenceVersion},
@@ -51,6 +51,19 @@ Json methodRecord(const EvidenceSource& source) {
   Json record{{"record", "method"}, {"method", methodName(source.method)}, {"seed", source.seed}};
   if (source.method == MethodKind::kSmore) record["parameters"] = toJson(source.parameters);
   return record;
+}
+
+}  // namespace
+
+std::vector<Json> sourceRecords(const EvidenceSource& source) {
+  std::vector<Json> records = {headerRecord(), taskRecord(source.task), methodRecord(source)};
+  for (const Prior& prior : source.priors.object) {
+    records.push_back(priorRecord(MapSide::kObject, prior));
+  }
+  for (const Prior& prior : source.priors.world) {
+    records.push_back(priorRecord(MapSide::kWorld, prior));
+  }
+  return records;
 }
 
 Json observationRecord(const ContactObservation& observation) {

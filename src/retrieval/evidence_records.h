@@ -11,8 +11,8 @@ namespace smore {
 constexpr char kEvidenceFormat[] = "smore evidence";
 constexpr int kEvidenceVersion = 2;
 
-Json headerRecord();
-Json methodRecord(const EvidenceSource& source);
+/// What a file begins with: header, task, method and what is known beforehand.
+std::vector<Json> sourceRecords(const EvidenceSource& source);
 Json observationRecord(const ContactObservation& observation);
 Json motionRecord(const Path& path, const std::optional<double>& risk);
 Json motionEndRecord(const MotionResult& result, const Pose& T_world_object);

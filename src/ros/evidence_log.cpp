@@ -3,6 +3,13 @@
 
 namespace smore {
 
+EvidenceSpacing spacingFor(const Scenario& task) {
+  constexpr double kShare = 0.1;
+  EvidenceSpacing spacing;
+  spacing.distance = kShare * task.voxel_size;
+  return spacing;
+}
+
 bool EvidenceLog::add(const ContactObservation& observation) {
   if (!filter_.keeps(observation)) return false;
   entries_.push_back(observation);

@@ -50,6 +50,15 @@ smore_msgs::Evidence evidenceSince(const MapState& state, std::uint64_t epoch, s
   return message;
 }
 
+smore_msgs::EvidenceSource sourceMessage(EvidenceSource source, const MapState& state) {
+  source.priors = state.priors;
+  smore_msgs::EvidenceSource message;
+  message.since.fromSec(state.since);
+  message.whole = static_cast<unsigned char>(state.whole);
+  message.records = toRecords(source);
+  return message;
+}
+
 Result<EvidencePart> fromMessage(const smore_msgs::Evidence& message) {
   EvidencePart part;
   part.epoch = message.epoch;

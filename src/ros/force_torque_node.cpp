@@ -4,11 +4,16 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
+#include <topic_tools/shape_shifter.h>
 
+#include <memory>
 #include <sstream>
 
 #include "force_torque_parameters.h"
+#include "sensing_events.h"
+#include "sensing_record.h"
 #include "smore/contact/still_poses.h"
+#include "smore/ros/belief_files.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/sensing_request.h"
@@ -41,7 +46,8 @@ std::string describe(const IdentifiedPayload& found) {
 /// thread of their own, since they wait for the samples that the main thread handles.
 class ForceTorqueNode {
  public:
-  explicit ForceTorqueNode(const ForceTorqueParameters& parameters)
+  /// `told`: all parameters, as `sensing_events` says them.
+  ForceTorqueNode(const ForceTorqueParameters& parameters, const std::string& told)
       : parameters_(parameters),
         sensing_(parameters.sensing),
         intake_(
@@ -52,16 +58,21 @@ class ForceTorqueNode {
     node_.setCallbackQueue(&queue_);
     service_node_.setCallbackQueue(&service_queue_);
     const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
-    tf_ = node_.subscribe(names::kTf, names::kStreamQueue, &WrenchIntake::onTransforms, &intake_,
+    tf_ = node_.subscribe(names::kTf, names::kStreamQueue, &ForceTorqueNode::onTransforms, this,
                           hints);
     tf_static_ = node_.subscribe(names::kTfStatic, names::kStreamQueue,
-                                 &WrenchIntake::onStaticTransforms, &intake_);
+                                 &ForceTorqueNode::onStaticTransforms, this);
+    events_ = node_.advertise<smore_msgs::SensingEvents>(names::kSensingEvents, names::kLatestQueue,
+                                                         true);
+    told_.parameters = told;
+    told_.wrench_topic = node_.resolveName(names::kWrench);
+    if (!parameters.record.empty()) beginRecord(belowRosHome(parameters.record));
     contact_ =
         node_.advertise<smore_msgs::ContactObservation>(names::kContact, names::kObservationQueue);
     compensated_ = node_.advertise<geometry_msgs::WrenchStamped>(names::kWrenchCompensated,
                                                                  names::kStreamQueue);
-    wrench_ = node_.subscribe(names::kWrench, names::kStreamQueue, &WrenchIntake::onWrench,
-                              &intake_, hints);
+    wrench_ = node_.subscribe(names::kWrench, names::kStreamQueue, &ForceTorqueNode::onWrench, this,
+                              hints);
     tare_ = serve(names::kTare, &tare_request_);
     identify_ = serve(names::kIdentifyPayload, &identify_request_);
   }
@@ -74,12 +85,50 @@ class ForceTorqueNode {
       queue_.callAvailable(period);
       intake_.handOn();
       checkSilence();
+      checkRecord();
     }
   }
 
  private:
+  using Event = smore_msgs::SensingEvent;
+
+  void beginRecord(const std::string& file) {
+    record_ = std::make_unique<SensingRecord>(file);
+    ROS_INFO_STREAM("recording what is sensed into " << file);
+    for (const char* topic : {names::kEvidenceSource, names::kScene, names::kPathMarkers}) {
+      const boost::function<void(const ros::MessageEvent<topic_tools::ShapeShifter>&)> keep =
+          [this, name = node_.resolveName(topic)](const auto& event) {
+            if (record_)
+              record_->add(name, *event.getConstMessage(), event.getConnectionHeaderPtr());
+          };
+      recorded_.push_back(
+          node_.subscribe<topic_tools::ShapeShifter>(topic, names::kStreamQueue, keep));
+    }
+  }
+
+  void onWrench(const geometry_msgs::WrenchStamped& message) {
+    if (record_) record_->add(told_.wrench_topic, message);
+    intake_.onWrench(message);
+  }
+  void onTransforms(const tf2_msgs::TFMessage& message) {
+    if (record_) record_->add(names::kTf, message);
+    intake_.onTransforms(message);
+  }
+  void onStaticTransforms(const tf2_msgs::TFMessage& message) {
+    if (record_) record_->add(names::kTfStatic, message);
+    intake_.onStaticTransforms(message);
+  }
+
+  /// Tells all that happened so far: who comes late lacks nothing.
+  void note(std::uint8_t kind, const ros::Time& stamp) {
+    told_.events.push_back(sensingEvent(kind, stamp, sensing_.payload()));
+    events_.publish(told_);
+    if (record_) record_->add(events_.getTopic(), told_);
+  }
+
   /// After time went back.
   void restart() {
+    note(Event::RESET, ros::Time());
     sensing_ = ContactSensing(parameters_.sensing);
     still_poses_.clear();
     tare_asked_.reset();
@@ -101,9 +150,10 @@ class ForceTorqueNode {
   }
 
   void process(const WrenchSample& sample, const ros::Time& stamp) {
+    if (told_.events.empty()) note(Event::START, stamp);
     if (tare_request_.take()) tare_asked_ = sample.time;
-    if (tare_asked_) beginTare(sample.time);
-    if (identify_request_.take()) identify();
+    if (tare_asked_) beginTare(sample.time, stamp);
+    if (identify_request_.take()) identify(stamp);
     const bool was_tared = sensing_.tared();
     const Result<ContactObservation> observation = sensing_.process(sample);
     if (!observation) {
@@ -120,12 +170,13 @@ class ForceTorqueNode {
 
   /// Begins the tare that was asked for, unless something presses. A zeroing at the driver shows in
   /// the signal only after a while.
-  void beginTare(double time) {
+  void beginTare(double time, const ros::Time& stamp) {
     const std::string objection = sensing_.tareObjection();
     if (!objection.empty() && time - *tare_asked_ < kZeroingShows) return;
     tare_asked_.reset();
     if (!objection.empty()) return tare_request_.finish({false, objection});
     sensing_.startTare();
+    note(Event::TARE, stamp);
     still_poses_.clear();  // the sensor may have been zeroed
   }
 
@@ -155,13 +206,14 @@ class ForceTorqueNode {
   }
 
   /// Where a payload is found, a tare begins, since the bias was that of another payload.
-  void identify() {
+  void identify(const ros::Time& stamp) {
     const Result<IdentifiedPayload> found = identifyPayload(still_poses_.poses());
     if (!found) return identify_request_.finish({false, found.reason()});
     payload_found_ = describe(*found);
     ROS_INFO_STREAM(payload_found_);
     parameters_.sensing.payload = found->payload;
     sensing_.setPayload(found->payload);
+    note(Event::PAYLOAD, stamp);
   }
 
   /// Each sample is answered, so that who waits for the answer goes on; this one says nothing.
@@ -193,6 +245,12 @@ class ForceTorqueNode {
     }
   }
 
+  void checkRecord() {
+    if (!record_ || record_->problem().empty()) return;
+    ROS_ERROR_STREAM("the record ends here: " << record_->problem() << "; check the disk");
+    record_ = nullptr;
+  }
+
   void checkSilence() {
     if (intake_.silence() < parameters_.silence_timeout) return;
     if (silence_warning_.isDue())
@@ -212,7 +270,10 @@ class ForceTorqueNode {
   ros::CallbackQueue service_queue_;
   ros::NodeHandle node_;
   ros::NodeHandle service_node_{"~"};
-  ros::Publisher contact_, compensated_;
+  ros::Publisher contact_, compensated_, events_;
+  smore_msgs::SensingEvents told_;
+  std::unique_ptr<SensingRecord> record_;
+  std::vector<ros::Subscriber> recorded_;
   ros::Subscriber wrench_, tf_, tf_static_;
   ros::ServiceServer tare_, identify_;
   Throttle sample_warning_{kWarningPeriod};
@@ -221,9 +282,10 @@ class ForceTorqueNode {
 };
 
 void runForceTorque() {
+  const YAML::Node told = privateParameters();
   const ForceTorqueParameters parameters =
-      readForceTorqueParameters(privateParameters(), ros::this_node::getName());
-  ForceTorqueNode(parameters).run();
+      readForceTorqueParameters(told, ros::this_node::getName());
+  ForceTorqueNode(parameters, toYaml(parameters, told)).run();
 }
 
 }  // namespace

@@ -34,8 +34,16 @@ ForceTorqueParameters readForceTorqueParameters(const YAML::Node& mapping,
   reader.number("tare_timeout", &parameters.tare_timeout, {0.1, 3600.0});
   parameters.sensing = readContactSensingParameters(&reader);
   if (scenario && !tiltsPayload(*scenario)) parameters.sensing.payload.unknown_mass = 0.0;
+  if (reader.has("record")) reader.text("record", &parameters.record);
   reader.finish();
   return parameters;
+}
+
+std::string toYaml(const ForceTorqueParameters& parameters, const YAML::Node& mapping) {
+  YAML::Node whole = YAML::Clone(mapping);
+  for (const char* key : {"scenario", "scenario_directory", "record"}) whole.remove(key);
+  whole["payload"]["unknown_mass"] = parameters.sensing.payload.unknown_mass;
+  return YAML::Dump(whole);
 }
 
 }  // namespace smore

@@ -16,11 +16,16 @@ struct ForceTorqueParameters {
   double silence_timeout = 2.0;    ///< wall time without a wrench before a warning [s]
   double tare_timeout = 10.0;      ///< wall time that the services wait [s]
   ContactSensingParameters sensing;
+  std::string record;  ///< bag of what is taken; empty: none
 };
 
 /// Reads the parameters of config/force_torque.yaml, with what a scenario fixes taken from it.
 /// InputError with every problem; `source` names the node in it.
 ForceTorqueParameters readForceTorqueParameters(const YAML::Node& mapping,
                                                 const std::string& source);
+
+/// The same with everything that follows from the scenario, as YAML without a scenario: it is read
+/// as the same parameters anywhere.
+std::string toYaml(const ForceTorqueParameters& parameters, const YAML::Node& mapping);
 
 }  // namespace smore

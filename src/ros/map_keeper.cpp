@@ -76,8 +76,9 @@ bool MapKeeper::waitFor(double stamp, double timeout) const {
 
 void MapKeeper::reset() {
   const std::lock_guard<std::mutex> lock(state_mutex_);
-  forgetQueue();
-  replace(made(told_, {}));
+  MapState state = made(told_, {});
+  state.since = forgetQueue();
+  replace(std::move(state));
 }
 
 void MapKeeper::reset(MapSide side) {
@@ -92,7 +93,7 @@ void MapKeeper::reset(MapSide side) {
     priors.of(kept).push_back(std::move(piece));
   }
   MapState state = made(priors, {});
-  forgetQueue();
+  state.since = forgetQueue();
   replace(std::move(state));
 }
 
@@ -104,7 +105,10 @@ void MapKeeper::know(MapSide side, const Prior& prior) {
                                     [&](const Prior& piece) { return areTheSame(piece, prior); });
   if (is_known) return;
   pieces.push_back(prior);
-  replace(made(priors, state_.log.from(0)));
+  MapState state = made(priors, state_.log.from(0));
+  state.since = state_.since;
+  state.whole = state_.whole;
+  replace(std::move(state));
 }
 
 void MapKeeper::load(const Priors& priors, const std::vector<ContactObservation>& observations) {
@@ -114,7 +118,8 @@ void MapKeeper::load(const Priors& priors, const std::vector<ContactObservation>
   }
   MapState loaded = made(priors, observations);
   const std::lock_guard<std::mutex> lock(state_mutex_);
-  forgetQueue();
+  loaded.since = forgetQueue();
+  loaded.whole = observations.empty();
   numbering_.continueAfter(contacts);
   replace(std::move(loaded));
 }
@@ -140,9 +145,12 @@ void MapKeeper::replace(MapState state) {
   writeJournal([this] { journal_->begin(state_.priors, state_.log.from(0)); });
 }
 
-void MapKeeper::forgetQueue() {
+// Time of the newest observation up to now [s].
+double MapKeeper::forgetQueue() {
   const std::lock_guard<std::mutex> lock(queue_mutex_);
+  const double newest = queue_.empty() ? state_.stamp : queue_.back().time;
   queue_.clear();
+  return newest;
 }
 
 std::optional<std::string> MapKeeper::takeProblem() {

@@ -21,14 +21,6 @@ namespace {
 constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
 constexpr int kServiceThreads = 3;      // two waiting calls and the publisher
 
-/// Free poses count in the maps and in the evidence from a tenth of a voxel on.
-EvidenceSpacing spacingFor(const Scenario& scenario) {
-  constexpr double kShare = 0.1;
-  EvidenceSpacing spacing;
-  spacing.distance = kShare * scenario.voxel_size;
-  return spacing;
-}
-
 ros::Time timeOf(double stamp) {
   ros::Time time;
   return time.fromSec(stamp);
@@ -73,6 +65,8 @@ class MappingNode {
                                this, ros::TransportHints().tcpNoDelay());
     lines_ = service_node_.advertise<visualization_msgs::MarkerArray>(names::kContactLines,
                                                                       names::kLatestQueue, true);
+    source_told_ = service_node_.advertise<smore_msgs::EvidenceSource>(names::kEvidenceSource,
+                                                                       names::kLatestQueue, true);
     offerServices();
     timer_ = service_node_.createWallTimer(ros::WallDuration(parameters.publish_period),
                                            &MappingNode::onTimer, this);
@@ -243,6 +237,7 @@ class MappingNode {
 
   void onTimer(const ros::WallTimerEvent& /*event*/) {
     if (const auto problem = keeper_->takeProblem()) ROS_ERROR_STREAM(*problem);
+    std::optional<smore_msgs::EvidenceSource> source;
     std::optional<VoxelGrid> world, object;
     std::vector<LineOfAction> lines;
     std::uint64_t revision = 0;
@@ -251,11 +246,14 @@ class MappingNode {
       revision = revisionOf(state);
       stamp = timeOf(state.stamp);
       lines = state.lines;
+      if (std::exchange(epoch_told_, state.log.epoch()) != epoch_told_)
+        source = sourceMessage(source_, state);
       if (world_.isDue(revision)) world = state.maps->world();
       if (object_.isDue(revision)) object = state.maps->object();
     });
     if (world) world_.publish(*world, revision, stamp);
     if (object) object_.publish(*object, revision, stamp);
+    if (source) source_told_.publish(*source);
     publishLines(lines);
   }
 
@@ -273,7 +271,8 @@ class MappingNode {
   ros::NodeHandle node_;
   ros::NodeHandle service_node_;
   MapPublisher world_, object_;
-  ros::Publisher lines_;
+  ros::Publisher lines_, source_told_;
+  std::uint64_t epoch_told_ = 0;
   ros::Subscriber contact_;
   std::vector<ros::ServiceServer> servers_;
   ros::WallTimer timer_;

@@ -21,6 +21,9 @@ class JsonLinesWriter {
   /// cannot be written (disk full).
   void append(const Json& record);
 
+  /// A record as `append` writes it, with the end of its line.
+  static std::string lineOf(const Json& record);
+
  private:
   std::string file_;
   std::ofstream stream_;
@@ -31,6 +34,10 @@ class JsonLinesWriter {
 /// true. InputError with file and line for a file that cannot be read, and for a line that is not a
 /// JSON object.
 bool readJsonLines(const std::string& file,
+                   const std::function<void(int line, const Json& record)>& take);
+
+/// The same of a stream, which messages call `name`.
+bool readJsonLines(std::istream* stream, const std::string& name,
                    const std::function<void(int line, const Json& record)>& take);
 
 }  // namespace smore

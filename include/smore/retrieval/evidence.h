@@ -23,6 +23,14 @@ struct EvidenceSource {
   Priors priors;  ///< what is known beforehand
 };
 
+/// The source as the records that a file of evidence begins with, one a line.
+std::string toRecords(const EvidenceSource& source);
+
+/// The same, read. InputError as of readEvidence, with `name` for the file. `parameters`: instead
+/// of the recorded ones.
+EvidenceSource readEvidenceSource(const std::string& records, const std::string& name,
+                                  const std::optional<MethodParameters>& parameters = std::nullopt);
+
 /// A planned motion, and what came of it.
 struct RecordedMotion {
   Path path;                            ///< as planned [T_world_object]

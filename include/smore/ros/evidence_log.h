@@ -5,8 +5,12 @@
 #include <vector>
 
 #include "smore/contact/evidence_filter.h"
+#include "smore/scenario/scenario.h"
 
 namespace smore {
+
+/// Free poses count in the maps and in the evidence from a tenth of a voxel on.
+EvidenceSpacing spacingFor(const Scenario& task);
 
 /// The observations that maps are made of, in their order, so that another process can make the
 /// same maps. Samples that repeat the last entry are left out (EvidenceFilter).

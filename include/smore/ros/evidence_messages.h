@@ -12,6 +12,9 @@ namespace smore {
 smore_msgs::Evidence evidenceSince(const MapState& state, std::uint64_t epoch, std::uint64_t from,
                                    const FrameNames& frames);
 
+/// What the maps follow from; `source` but for what is known beforehand, which the state says.
+smore_msgs::EvidenceSource sourceMessage(EvidenceSource source, const MapState& state);
+
 /// A failure for observations or pieces of knowledge that are none.
 Result<EvidencePart> fromMessage(const smore_msgs::Evidence& message);
 

@@ -27,6 +27,8 @@ struct MapState {
   std::uint64_t first_revision = 0;  ///< of the maps when the log began
   std::uint64_t earlier = 0;         ///< changes of the maps that these took the place of
   double stamp = 0.0;                ///< of the newest observation taken [s]; 0: none
+  double since = 0.0;                ///< of the newest observation that is forgotten [s]; 0: none
+  bool whole = true;                 ///< false where others than those that came are in the log
 };
 
 /// Rises whenever a map changes, by whatever.
@@ -95,7 +97,7 @@ class MapKeeper {
   void takeIn(const ContactObservation& observation);
   MapState made(const Priors& priors, const std::vector<ContactObservation>& observations) const;
   void replace(MapState state);
-  void forgetQueue();
+  double forgetQueue();
   void writeJournal(const std::function<void()>& write);
 
   MakeMaps make_maps_;

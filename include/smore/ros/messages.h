@@ -20,6 +20,7 @@
 #include <smore/CheckPose.h>
 #include <smore/ContactObservation.h>
 #include <smore/Evidence.h>
+#include <smore/EvidenceSource.h>
 #include <smore/InsertPrior.h>
 #include <smore/LineOfAction.h>
 #include <smore/LoadBelief.h>
@@ -29,5 +30,7 @@
 #include <smore/RetrieveAction.h>
 #include <smore/SaveBelief.h>
 #include <smore/SaveMaps.h>
+#include <smore/SensingEvent.h>
+#include <smore/SensingEvents.h>
 #include <smore/TwinMaps.h>
 #undef smore

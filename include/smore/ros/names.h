@@ -10,6 +10,8 @@ namespace smore::names {
 constexpr char kWrench[] = "wrench";
 constexpr char kWrenchCompensated[] = "wrench_compensated";
 constexpr char kContact[] = "contact";
+constexpr char kSensingEvents[] = "sensing_events";
+constexpr char kEvidenceSource[] = "evidence_source";
 constexpr char kCommand[] = "command";
 constexpr char kSignOfLife[] = "command_attended";
 constexpr char kGuardedCommand[] = "guarded_command";

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes the maps of recorded evidence anew, the same ones or with another method or parameters.
+// Makes the maps of recorded evidence or of a bag anew, the same ones or with another method or
+// parameters.
+#include <ros/time.h>
+
 #include <iostream>
 
-#include "program_main.h"
+#include "bag_evidence.h"
 #include "smore/common/result.h"
 #include "smore/experiment/command_line.h"
 #include "smore/experiment/output_paths.h"
+#include "smore/experiment/program_main.h"
 #include "smore/experiment/rebuild.h"
 
 namespace {
@@ -14,6 +18,8 @@ namespace po = boost::program_options;
 
 struct Arguments {
   std::string evidence;
+  std::string bag;
+  std::string scenario;
   std::string method;
   std::string method_parameters;
   double voxel_size = 0.0;
@@ -23,8 +29,12 @@ struct Arguments {
 po::options_description optionsFor(Arguments* arguments) {
   po::options_description options("Makes the maps of recorded evidence");
   auto add = options.add_options();
-  add("evidence", po::value(&arguments->evidence)->value_name("FILE")->required(),
-      "file of smore_experiment --record");
+  add("evidence", po::value(&arguments->evidence)->value_name("FILE"),
+      "file of smore_experiment --record, of a journal, or that was saved");
+  add("bag", po::value(&arguments->bag)->value_name("FILE"),
+      "bag with wrenches and transforms, instead");
+  add("scenario", po::value(&arguments->scenario)->value_name("NAME|FILE"),
+      "task of a bag, instead of what it says");
   add("method", new smore::ChoiceOption(&arguments->method, smore::methodNames()),
       "instead of the recorded one");
   add("parameters", po::value(&arguments->method_parameters)->value_name("FILE"),
@@ -36,12 +46,38 @@ po::options_description optionsFor(Arguments* arguments) {
   return options;
 }
 
+smore::Evidence fromBag(const Arguments& arguments,
+                        const std::optional<smore::MethodParameters>& parameters) {
+  ros::Time::init();  // whoever logs asks for it
+  smore::BagChoices choices;
+  if (!arguments.scenario.empty()) choices.scenario = arguments.scenario;
+  choices.parameters = parameters;
+  smore::BagEvidence bag = smore::readBag(arguments.bag, choices);
+  for (const std::string& warning : bag.warnings) {
+    std::cerr << "warning: " << arguments.bag << ": " << warning
+              << "; the maps may differ from those of the running system" << std::endl;
+  }
+  return std::move(bag.evidence);
+}
+
+smore::Evidence evidenceOf(const Arguments& arguments,
+                           const std::optional<smore::MethodParameters>& parameters) {
+  if (arguments.evidence.empty() == arguments.bag.empty()) {
+    throw smore::InputError("give either --evidence or --bag");
+  }
+  if (!arguments.bag.empty()) return fromBag(arguments, parameters);
+  if (!arguments.scenario.empty()) {
+    throw smore::InputError("--scenario: only with --bag; a file of evidence has its task");
+  }
+  return smore::readEvidence(arguments.evidence, parameters);
+}
+
 int run(const Arguments& arguments) {
   std::optional<smore::MethodParameters> parameters;
   if (!arguments.method_parameters.empty()) {
     parameters = smore::loadMethodParameters(arguments.method_parameters);
   }
-  smore::Evidence evidence = smore::readEvidence(arguments.evidence, parameters);
+  smore::Evidence evidence = evidenceOf(arguments, parameters);
   smore::RebuildChanges changes;
   if (!arguments.method.empty()) changes.method = smore::methodKind(arguments.method);
   if (arguments.voxel_size > 0.0) changes.voxel_size = arguments.voxel_size;

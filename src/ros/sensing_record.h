@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+#include <rosbag/bag.h>
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace smore {
+
+/// A bag of what a node is given, in the order in which it is: nothing of it is missing, whenever
+/// the node begins. Written by a thread of its own, so that nobody waits for the disk.
+class SensingRecord {
+ public:
+  /// A new file, in a directory that is made where it is missing. std::runtime_error where it
+  /// cannot be written.
+  explicit SensingRecord(const std::string& file);
+  /// Writes what is still queued and closes the bag.
+  ~SensingRecord();
+
+  /// Adds a message as of now. `header`: of the connection that it came by, so that what is played
+  /// is latched where it was; null for one of our own.
+  template <typename Message>
+  void add(const std::string& topic, const Message& message,
+           const boost::shared_ptr<ros::M_string>& header = nullptr) {
+    push([this, topic, message, header, time = nextTime()] {
+      bag_.write(topic, time, message, header);
+    });
+  }
+
+  /// Why nothing is written any more; empty where all is well.
+  std::string problem() const;
+
+ private:
+  ros::Time nextTime();
+  void push(std::function<void()> write);
+  void work();
+
+  rosbag::Bag bag_;
+  ros::Time last_time_ = ros::TIME_MIN;
+  mutable std::mutex mutex_;
+  std::condition_variable queued_;
+  std::deque<std::function<void()>> queue_;
+  bool ending_ = false;
+  std::string problem_;
+  std::thread worker_;
+};
+
+}  // namespace smore
