@@ -4,7 +4,6 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
-#include <topic_tools/shape_shifter.h>
 
 #include <memory>
 #include <sstream>
@@ -39,6 +38,13 @@ std::string describe(const IdentifiedPayload& found) {
   text << " in the object frame; " << found.force_residual << " N and " << found.torque_residual
        << " N m are left over";
   return text.str();
+}
+
+/// Of other nodes: what the maps follow from, and what is shown of them and of the plans.
+std::vector<std::string> recordedTopics() {
+  const std::string cells = std::string("/") + names::kOccupiedCells;
+  return {names::kEvidenceSource,    names::kScene,       names::kWorldMap + cells,
+          names::kObjectMap + cells, names::kPathMarkers, names::kContactLines};
 }
 
 /// Turns wrenches into contact observations. Wrenches and transforms arrive on one queue, handled
@@ -95,15 +101,7 @@ class ForceTorqueNode {
   void beginRecord(const std::string& file) {
     record_ = std::make_unique<SensingRecord>(file);
     ROS_INFO_STREAM("recording what is sensed into " << file);
-    for (const char* topic : {names::kEvidenceSource, names::kScene, names::kPathMarkers}) {
-      const boost::function<void(const ros::MessageEvent<topic_tools::ShapeShifter>&)> keep =
-          [this, name = node_.resolveName(topic)](const auto& event) {
-            if (record_)
-              record_->add(name, *event.getConstMessage(), event.getConnectionHeaderPtr());
-          };
-      recorded_.push_back(
-          node_.subscribe<topic_tools::ShapeShifter>(topic, names::kStreamQueue, keep));
-    }
+    for (const std::string& topic : recordedTopics()) record_->follow(topic, &node_);
   }
 
   void onWrench(const geometry_msgs::WrenchStamped& message) {
@@ -273,7 +271,6 @@ class ForceTorqueNode {
   ros::Publisher contact_, compensated_, events_;
   smore_msgs::SensingEvents told_;
   std::unique_ptr<SensingRecord> record_;
-  std::vector<ros::Subscriber> recorded_;
   ros::Subscriber wrench_, tf_, tf_static_;
   ros::ServiceServer tare_, identify_;
   Throttle sample_warning_{kWarningPeriod};

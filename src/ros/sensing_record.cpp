@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sensing_record.h"
 
+#include <topic_tools/shape_shifter.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
+
+#include "smore/ros/names.h"
 
 namespace smore {
 
@@ -26,6 +30,15 @@ SensingRecord::~SensingRecord() {
   }
   queued_.notify_all();
   worker_.join();
+}
+
+void SensingRecord::follow(const std::string& topic, ros::NodeHandle* node) {
+  using Event = ros::MessageEvent<topic_tools::ShapeShifter>;
+  const boost::function<void(const Event&)> keep =
+      [this, name = node->resolveName(topic)](const Event& event) {
+        add(name, *event.getConstMessage(), event.getConnectionHeaderPtr());
+      };
+  followed_.push_back(node->subscribe<topic_tools::ShapeShifter>(topic, names::kStreamQueue, keep));
 }
 
 std::string SensingRecord::problem() const {

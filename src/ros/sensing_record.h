@@ -10,6 +10,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace smore {
 
@@ -33,6 +34,10 @@ class SensingRecord {
     });
   }
 
+  /// Adds what comes on a topic from now on, of whatever type; `node`: whose queue is called by the
+  /// thread that adds.
+  void follow(const std::string& topic, ros::NodeHandle* node);
+
   /// Why nothing is written any more; empty where all is well.
   std::string problem() const;
 
@@ -42,6 +47,7 @@ class SensingRecord {
   void work();
 
   rosbag::Bag bag_;
+  std::vector<ros::Subscriber> followed_;
   ros::Time last_time_ = ros::TIME_MIN;
   mutable std::mutex mutex_;
   std::condition_variable queued_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/ros/wrist_poses.h"
 
+#include <cmath>
 #include <sstream>
 
 #include "smore/ros/names.h"
@@ -13,6 +14,23 @@ std::string describe(const geometry_msgs::TransformStamped& transform) {
   text << "the transform of '" << transform.child_frame_id << "' in '" << transform.header.frame_id
        << "' at " << transform.header.stamp << " s";
   return text.str();
+}
+
+// Multiples of about 1e-9 (m, and of a quaternion's parts): far below what any robot knows, and far
+// above the last bit, in which tf2 differs by whether it knows a newer pose by then. So the same
+// wrenches and transforms are the same samples to the bit, whenever they come.
+double rounded(double value) {
+  constexpr double kSteps = 1 << 30;
+  return std::round(value * kSteps) / kSteps + 0.0;  // no negative zero
+}
+
+geometry_msgs::Transform rounded(geometry_msgs::Transform transform) {
+  auto& place = transform.translation;
+  auto& turn = transform.rotation;
+  for (double* value : {&place.x, &place.y, &place.z, &turn.x, &turn.y, &turn.z, &turn.w}) {
+    *value = rounded(*value);
+  }
+  return transform;
 }
 
 }  // namespace
@@ -83,7 +101,7 @@ Result<Pose> WristPoses::lookUp(const std::string& target, const std::string& so
     return Failure{"tf does not give '" + source + "' in '" + target +
                    "' at its stamp: " + problem};
   }
-  return fromTransform(transforms_.lookupTransform(target, source, stamp).transform);
+  return fromTransform(rounded(transforms_.lookupTransform(target, source, stamp).transform));
 }
 
 }  // namespace smore

@@ -58,7 +58,7 @@ expect 0 "limit of 2 collisions" --scenario "$reference" --method paper --max-co
 
 program=$2
 evidence=$directory/new/record/seed_1.evidence
-expect 2 "--evidence is required" --output "$directory/again"
+expect 2 "either --evidence or --bag" --output "$directory/again"
 expect 2 "--output is required" --evidence "$evidence"
 expect 2 "--method" --evidence "$evidence" --output "$directory/again" --method guess
 expect 2 "--voxel-size" --evidence "$evidence" --output "$directory/again" --voxel-size -1

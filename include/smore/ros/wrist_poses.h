@@ -26,8 +26,9 @@ class WristPoses {
   /// Forgets everything.
   void clear();
 
-  /// The wrench in the object frame, with the pose at its stamp; a failure, with the reason, where
-  /// tf does not know (yet).
+  /// The wrench in the object frame, with the pose at its stamp, rounded to 1e-9 m and rad: the
+  /// same to the bit whatever transforms came since; a failure, with the reason, where tf does not
+  /// know (yet).
   Result<WrenchSample> sampleOf(const geometry_msgs::WrenchStamped& message) const;
 
   /// Whether `stamp` is before the first pose of all, by less than `lead` [s].
