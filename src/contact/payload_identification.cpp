@@ -5,6 +5,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace smore {
@@ -16,6 +17,10 @@ constexpr double kMostForceResidual = 1.0;  // [N]; noise and drift leave less
 // Where a controller has been told too much, it takes off this much more at most [kg].
 constexpr double kMostNegativeMass = 0.5;
 constexpr double kMostTorqueResidual = 0.1;  // [N m]
+// Where the residuals are a share of what is allowed that noise and drift do not explain, other
+// axes are looked at; they are right where they leave so many times less.
+constexpr double kWorthALook = 0.25;
+constexpr double kClearlyBetter = 3.0;
 
 Eigen::Matrix3d crossMatrix(const Vec3& v) {
   Eigen::Matrix3d matrix;
@@ -98,6 +103,52 @@ std::string fitProblem(const IdentifiedPayload& found) {
   return problem.str();
 }
 
+// As if the sensor's wrenches were the driver's in `axes`.
+IdentifiedPayload fitPayload(const std::vector<StillWrench>& poses, const WrenchAxes& axes) {
+  LeastSquares forces(poses.size(), 1);
+  LeastSquares torques(poses.size(), 3);
+  for (const StillWrench& pose : poses) {
+    const Vec3 gravity = gravityIn(pose.T_world_object);
+    const Eigen::Matrix3d turn =
+        axes.sign * pose.R_object_sensor * axes.turn * pose.R_object_sensor.transpose();
+    forces.add(turn * pose.mean.force, gravity);
+    torques.add(turn * (pose.mean.torque - pose.sensor_object.cross(pose.mean.force)),
+                -crossMatrix(gravity));
+  }
+  const Fit force = forces.solve();
+  const Fit torque = torques.solve();
+  IdentifiedPayload found;
+  const double mass = force.unknowns[0];
+  found.payload = {mass, mass * poses.back().sensor_object + torque.unknowns};
+  found.sensor_bias = {force.bias, torque.bias};
+  found.force_residual = force.residual;
+  found.torque_residual = torque.residual;
+  return found;
+}
+
+// Of the residuals to what is allowed.
+double misfitOf(const IdentifiedPayload& found) {
+  return std::max(found.force_residual / kMostForceResidual,
+                  found.torque_residual / kMostTorqueResidual);
+}
+
+// The axes with which gravity fits so much better than with the present ones that these are wrong;
+// nothing where it does not.
+std::optional<WrenchAxes> axesThatFitBetter(const std::vector<StillWrench>& poses,
+                                            const IdentifiedPayload& found) {
+  const bool refused = !fitProblem(found).empty();
+  double least = refused ? 1.0 : misfitOf(found) / kClearlyBetter;
+  if (!refused && misfitOf(found) < kWorthALook) return std::nullopt;
+  std::optional<WrenchAxes> best;
+  for (const WrenchAxes& axes : allWrenchAxes()) {
+    const IdentifiedPayload other = fitPayload(poses, axes);
+    if (other.payload.mass <= 0.0 || misfitOf(other) >= least) continue;
+    best = axes;
+    least = misfitOf(other);
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<Pose> payloadTilts(const Pose& level, double tilt) {
@@ -112,25 +163,16 @@ std::vector<Pose> payloadTilts(const Pose& level, double tilt) {
   return poses;
 }
 
-Result<IdentifiedPayload> identifyPayload(const std::vector<StillWrench>& poses) {
+Result<IdentifiedPayload> identifyPayload(const std::vector<StillWrench>& poses,
+                                          const WrenchAxes& told) {
   if (const std::string problem = poseProblem(poses); !problem.empty()) return Failure{problem};
-  LeastSquares forces(poses.size(), 1);
-  LeastSquares torques(poses.size(), 3);
-  for (const StillWrench& pose : poses) {
-    const Vec3 gravity = gravityIn(pose.T_world_object);
-    forces.add(pose.mean.force, gravity);
-    torques.add(pose.mean.torque - pose.sensor_object.cross(pose.mean.force),
-                -crossMatrix(gravity));
+  IdentifiedPayload found = fitPayload(poses, WrenchAxes());
+  std::string problem = fitProblem(found);
+  if (const auto better = axesThatFitBetter(poses, found)) {
+    if (problem.empty()) problem = "the weight points elsewhere than gravity";
+    problem += "; it fits with the sensor's parameters " + toText(compose(*better, told));
   }
-  const Fit force = forces.solve();
-  const Fit torque = torques.solve();
-  IdentifiedPayload found;
-  const double mass = force.unknowns[0];
-  found.payload = {mass, mass * poses.back().sensor_object + torque.unknowns};
-  found.sensor_bias = {force.bias, torque.bias};
-  found.force_residual = force.residual;
-  found.torque_residual = torque.residual;
-  if (const std::string problem = fitProblem(found); !problem.empty()) return Failure{problem};
+  if (!problem.empty()) return Failure{problem};
   return found;
 }
 

@@ -30,7 +30,11 @@ bool StillPoses::add(const WrenchSample& sample) {
   sum_.torque += sample.wrench.torque;
   ++count_;
   if (age < parameters_.window.duration || count_ < parameters_.window.samples) return false;
-  keep({sample.time, {sum_.force / count_, sum_.torque / count_}, pose, sample.sensor_object});
+  keep({sample.time,
+        {sum_.force / count_, sum_.torque / count_},
+        pose,
+        sample.sensor_object,
+        sample.R_object_sensor});
   beginAverage(sample, 0.0);
   return true;
 }

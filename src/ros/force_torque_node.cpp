@@ -205,7 +205,7 @@ class ForceTorqueNode {
 
   /// Where a payload is found, a tare begins, since the bias was that of another payload.
   void identify(const ros::Time& stamp) {
-    const Result<IdentifiedPayload> found = identifyPayload(still_poses_.poses());
+    const Result<IdentifiedPayload> found = identifyPayload(still_poses_.poses(), parameters_.axes);
     if (!found) return identify_request_.finish({false, found.reason()});
     payload_found_ = describe(*found);
     ROS_INFO_STREAM(payload_found_);

@@ -29,6 +29,7 @@ ForceTorqueParameters readForceTorqueParameters(const YAML::Node& mapping,
   if (reader.has("scenario")) imposeScenario(scenario.value_or(Scenario()), mapping, &reader);
   ForceTorqueParameters parameters;
   parameters.frames = readFrameNames(&reader);
+  parameters.axes = readWrenchAxes(&reader);
   reader.number("transform_timeout", &parameters.transform_timeout, {0.01, 60.0});
   reader.number("silence_timeout", &parameters.silence_timeout, {0.01, 3600.0});
   reader.number("tare_timeout", &parameters.tare_timeout, {0.1, 3600.0});

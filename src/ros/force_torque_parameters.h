@@ -6,12 +6,14 @@
 #include <string>
 
 #include "smore/contact/contact_sensing.h"
+#include "smore/contact/wrench_axes.h"
 #include "smore/ros/conversions.h"
 
 namespace smore {
 
 struct ForceTorqueParameters {
   FrameNames frames;
+  WrenchAxes axes;                 ///< of the sensor's driver
   double transform_timeout = 0.5;  ///< sample time that a wrench waits for its pose [s]
   double silence_timeout = 2.0;    ///< wall time without a wrench before a warning [s]
   double tare_timeout = 10.0;      ///< wall time that the services wait [s]

@@ -18,6 +18,8 @@ namespace {
 constexpr double kLookPeriod = 0.01;
 // Of a retreat: it goes on where it was stopped, and while something still touches.
 constexpr int kMostStretches = 20;
+// The way before a touch on which its force's work is looked at [m + rad].
+constexpr double kWayOfWork = 0.004;
 // Each leaves a small share of what the one before left.
 constexpr int kMostAims = 3;
 
@@ -90,9 +92,7 @@ MotionResult RosRobot::follow(const Path& path) {
       case Step::kArrived:
         return end(motion, MotionEnd::kReached);
       case Step::kContact:
-        halt();
-        settleInContact(&motion);
-        return end(motion, MotionEnd::kContact);
+        return endInContact(&motion);
       case Step::kFault:
         return endStopped(motion);
     }
@@ -237,6 +237,16 @@ MotionResult RosRobot::end(const Motion& motion, MotionEnd how) {
   result.reason = motion.reason;
   result.length = motion.progress.length();
   return result;
+}
+
+MotionResult RosRobot::endInContact(Motion* motion) {
+  halt();
+  const Pose touched = motion->last.T_world_object;
+  settleInContact(motion);
+  const Path back = trail_.wayBack(touched, kWayOfWork);
+  if (motion->last.line && !back.empty())
+    motion->reason = sign_.contradiction(*motion->last.line, back.back(), touched);
+  return end(*motion, motion->reason.empty() ? MotionEnd::kContact : MotionEnd::kFault);
 }
 
 void RosRobot::settleInContact(Motion* motion) {

@@ -48,6 +48,7 @@ void WrenchIntake::onWrench(const geometry_msgs::WrenchStamped& message) {
   if (!problem.empty()) return warnOfDropped(message, problem, &frame_warning_);
   last_stamp_ = stamp;
   waiting_.push_back(message);
+  waiting_.back().wrench = toMessage(inFrame(parameters_.axes, fromMessage(message.wrench)));
   watchRate(stamp.toSec());
 }
 

@@ -6,6 +6,7 @@
 #include "smore/common/result.h"
 #include "smore/contact/contact_observation.h"
 #include "smore/contact/payload.h"
+#include "smore/contact/wrench_axes.h"
 
 namespace smore {
 
@@ -15,6 +16,7 @@ struct StillWrench {
   Wrench mean;        ///< at the origin and in the axes of the object frame, bias and weight in it
   Pose T_world_object = Pose::Identity();
   Vec3 sensor_object = Vec3::Zero();  ///< the sensor's origin in the object frame [m]
+  Eigen::Matrix3d R_object_sensor = Eigen::Matrix3d::Identity();  ///< the sensor's axes
 };
 
 struct IdentifiedPayload {
@@ -40,7 +42,10 @@ std::vector<Pose> payloadTilts(const Pose& level, double tilt);
 /// A failure, with the remedy: fewer than three poses; a tilt below 0.2 rad (five poses, level and
 /// turned by 0.32 rad to and fro about two horizontal axes, have it); a mass below -0.5 kg (small
 /// masses of either sign are left where a controller takes off the payload that was set there); a
-/// residual of more than 1 N or 0.1 N m (something touched, or the robot moved).
-Result<IdentifiedPayload> identifyPayload(const std::vector<StillWrench>& poses);
+/// residual of more than 1 N or 0.1 N m (something touched, or the robot moved). Where gravity then
+/// fits wrenches of another sign or in other axes of the sensor, the reason says with which
+/// parameters; `told` are the present ones, which the wrenches have behind them.
+Result<IdentifiedPayload> identifyPayload(const std::vector<StillWrench>& poses,
+                                          const WrenchAxes& told = {});
 
 }  // namespace smore

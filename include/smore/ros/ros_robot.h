@@ -14,6 +14,7 @@
 #include "smore/common/motion_progress.h"
 #include "smore/common/robot.h"
 #include "smore/common/trail.h"
+#include "smore/contact/sign_check.h"
 #include "smore/kinematics/joint_commands.h"
 #include "smore/ros/conversions.h"
 #include "smore/ros/fault_listener.h"
@@ -94,6 +95,8 @@ class RosRobot : public Robot {
   MotionResult end(const Motion& motion, MotionEnd how);
   /// Stops the robot; by the user's wish or at a fault.
   MotionResult endStopped(const Motion& motion);
+  /// Stops the robot and waits for the line.
+  MotionResult endInContact(Motion* motion);
   void settleInContact(Motion* motion);
   bool waitUntilFree();
   bool waitUntilAt(const Pose& target);
@@ -113,7 +116,8 @@ class RosRobot : public Robot {
   ros::Subscriber contact_;
   ros::ServiceClient reset_;
   ros::AsyncSpinner spinner_{1, &queue_};
-  Trail trail_;               ///< since the last reset
+  Trail trail_;  ///< since the last reset
+  SignCheck sign_;
   std::mutex command_mutex_;  ///< so that no motion is sent after the stop that forbids it
   std::atomic<bool> stop_requested_{false};
 };
