@@ -208,48 +208,6 @@ TEST(IdentifyPayload, refusesAWrenchOfTheWrongSign) {
   EXPECT_NE(identifyPayload(poses).reason().find("sign"), std::string::npos);
 }
 
-// Still wrenches of a sensor that is turned in the object, as a driver with such axes gives them.
-std::vector<StillWrench> withDriversAxes(const WrenchAxes& axes, double noise) {
-  std::mt19937 random(4);
-  std::normal_distribution<double> error(0.0, noise);
-  const Eigen::Matrix3d R_object_sensor = makePose(Vec3::Zero(), Vec3(0.4, -0.7, 2.1)).linear();
-  const Payload payload = payloadAt(1.2, Vec3(0.02, -0.01, 0.15));
-  std::vector<StillWrench> poses;
-  for (const Vec3& rpy : star(kTilt)) {
-    StillWrench still;
-    still.T_world_object = makePose(Vec3::Zero(), rpy);
-    still.R_object_sensor = R_object_sensor;
-    const Vec3 weight = payload.mass * gravityIn(still.T_world_object);
-    const Wrench felt{weight + Vec3(3, -2, 5) + Vec3(error(random), error(random), error(random)),
-                      payload.moment_object.cross(weight / payload.mass) + Vec3(0.3, 0.1, -0.2)};
-    const Eigen::Matrix3d turn =
-        axes.sign * R_object_sensor * axes.turn.transpose() * R_object_sensor.transpose();
-    still.mean = {turn * felt.force, turn * felt.torque};
-    poses.push_back(still);
-  }
-  return poses;
-}
-
-TEST(IdentifyPayload, namesTheSignAndTheAxesThatGravityTells) {
-  for (const WrenchAxes& axes : allWrenchAxes()) {
-    const auto found = identifyPayload(withDriversAxes(axes, 0.1));
-    if (toText(axes) == toText(WrenchAxes())) {
-      EXPECT_TRUE(found) << found.reason();
-      continue;
-    }
-    ASSERT_FALSE(found) << toText(axes);
-    EXPECT_NE(found.reason().find(toText(axes)), std::string::npos) << found.reason();
-  }
-}
-
-TEST(IdentifyPayload, namesTheAxesAgainstThoseThatItWasTold) {
-  const WrenchAxes told = allWrenchAxes()[7];
-  const WrenchAxes wrong = allWrenchAxes()[30];
-  const auto found = identifyPayload(withDriversAxes(wrong, 0.1), told);
-  ASSERT_FALSE(found);
-  EXPECT_NE(found.reason().find(toText(compose(wrong, told))), std::string::npos);
-}
-
 TEST(PayloadTilts, sufficeWithTheLevelPoseWhateverItsYaw) {
   const Payload payload = payloadAt(1.3, Vec3(0.01, 0.02, 0.1));
   const Pose level = makePose(Vec3(0.5, 0.1, 0.2), Vec3(0, 0, 1.0));
