@@ -90,6 +90,7 @@ MotionResult RosRobot::follow(const Path& path) {
         trail_.record(motion.last.T_world_object);
         break;
       case Step::kArrived:
+        halt();
         return end(motion, MotionEnd::kReached);
       case Step::kContact:
         return endInContact(&motion);
@@ -120,8 +121,10 @@ MotionResult RosRobot::goBack(const Path& back) {
     const Step step = advance(&motion);
     trail_.unwind(motion.last.T_world_object);
     if (step == Step::kFault) return endStopped(motion);
-    if (step == Step::kStalled) halt();
-    if (step == Step::kArrived || step == Step::kStalled) return end(motion, MotionEnd::kReached);
+    if (step == Step::kArrived || step == Step::kStalled) {
+      halt();
+      return end(motion, MotionEnd::kReached);
+    }
     motion.known_contacts = motion.last.contact_id;
   }
 }
@@ -222,7 +225,8 @@ RosRobot::Step RosRobot::advance(Motion* motion) {
   return Step::kFault;
 }
 
-// A trajectory without points is the command to stay here.
+// A trajectory without points is the command to stay here. It ends a motion that has arrived too: a
+// guard whose last piece is late would wait for a sign of life that does not come.
 void RosRobot::halt() { command_.publish(trajectory_msgs::JointTrajectory()); }
 
 MotionResult RosRobot::endStopped(const Motion& motion) {
