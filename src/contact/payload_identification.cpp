@@ -110,7 +110,7 @@ IdentifiedPayload fitPayload(const std::vector<StillWrench>& poses, const Wrench
   for (const StillWrench& pose : poses) {
     const Vec3 gravity = gravityIn(pose.T_world_object);
     const Eigen::Matrix3d turn =
-        axes.sign * pose.R_object_sensor * axes.turn * pose.R_object_sensor.transpose();
+        axes.sign * pose.sensor_axes_object * axes.turn * pose.sensor_axes_object.transpose();
     forces.add(turn * pose.mean.force, gravity);
     torques.add(turn * (pose.mean.torque - pose.sensor_object.cross(pose.mean.force)),
                 -crossMatrix(gravity));

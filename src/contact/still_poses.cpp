@@ -34,7 +34,7 @@ bool StillPoses::add(const WrenchSample& sample) {
         {sum_.force / count_, sum_.torque / count_},
         pose,
         sample.sensor_object,
-        sample.R_object_sensor});
+        sample.sensor_axes_object});
   beginAverage(sample, 0.0);
   return true;
 }

@@ -80,7 +80,7 @@ Result<WrenchSample> WristPoses::sampleOf(const geometry_msgs::WrenchStamped& me
   sample.wrench = transformWrench(*T_object_sensor, fromMessage(message.wrench));
   sample.T_world_object = *pose;
   sample.sensor_object = T_object_sensor->translation();
-  sample.R_object_sensor = T_object_sensor->linear();
+  sample.sensor_axes_object = T_object_sensor->linear();
   return sample;
 }
 

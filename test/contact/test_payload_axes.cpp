@@ -12,7 +12,7 @@ namespace {
 std::vector<StillWrench> withDriversAxes(const WrenchAxes& axes, double noise) {
   std::mt19937 random(4);
   std::normal_distribution<double> error(0.0, noise);
-  const Eigen::Matrix3d R_object_sensor = makePose(Vec3::Zero(), Vec3(0.4, -0.7, 2.1)).linear();
+  const Eigen::Matrix3d sensor_axes_object = makePose(Vec3::Zero(), Vec3(0.4, -0.7, 2.1)).linear();
   const Payload payload = payloadAt(1.2, Vec3(0.02, -0.01, 0.15));
   std::vector<StillWrench> poses;
   std::vector<Pose> stands = payloadTilts(Pose::Identity(), 0.5);
@@ -20,12 +20,12 @@ std::vector<StillWrench> withDriversAxes(const WrenchAxes& axes, double noise) {
   for (const Pose& stand : stands) {
     StillWrench still;
     still.T_world_object = stand;
-    still.R_object_sensor = R_object_sensor;
+    still.sensor_axes_object = sensor_axes_object;
     const Vec3 weight = payload.mass * gravityIn(still.T_world_object);
     const Wrench felt{weight + Vec3(3, -2, 5) + Vec3(error(random), error(random), error(random)),
                       payload.moment_object.cross(weight / payload.mass) + Vec3(0.3, 0.1, -0.2)};
     const Eigen::Matrix3d turn =
-        axes.sign * R_object_sensor * axes.turn.transpose() * R_object_sensor.transpose();
+        axes.sign * sensor_axes_object * axes.turn.transpose() * sensor_axes_object.transpose();
     still.mean = {turn * felt.force, turn * felt.torque};
     poses.push_back(still);
   }

@@ -12,7 +12,7 @@ namespace {
 
 WrenchAxes read(const std::string& yaml) {
   ParameterReader reader(YAML::Load(yaml), "test");
-  const WrenchAxes axes = readWrenchAxes(&reader);
+  WrenchAxes axes = readWrenchAxes(&reader);
   reader.finish();
   return axes;
 }
