@@ -20,14 +20,14 @@ ContactObservation observationAt(const Pose& pose, ContactState state, int id = 
 Pose at(double x, double y = 0.0) { return makePose(Vec3(x, y, 0)); }
 
 /// A block of matter whose voxels run from 0 to these numbers, as wide as ten of them each way.
-std::vector<Prior> blockOf(int x, int y, int z) {
+std::vector<Prior> blockOf(std::int16_t x, std::int16_t y, std::int16_t z) {
   VoxelGrid known(kVoxel);
   for (std::int16_t i = 0; i < x; ++i) {
     for (std::int16_t j = 0; j < y; ++j) {
       for (std::int16_t k = 0; k < z; ++k) known.set({i, j, k}, 1.0F);
     }
   }
-  known.set({static_cast<std::int16_t>(x), 0, 0}, 0.0F);  // known to be free
+  known.set({x, 0, 0}, 0.0F);  // known to be free
   return {{known, 0.9}};
 }
 
