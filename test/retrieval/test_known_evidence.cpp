@@ -131,7 +131,7 @@ TEST_F(KnownEvidence, isRefusedWhereItsRecordIsDamaged) {
     const std::string problem = problemWith(from, to);
     EXPECT_NE(problem.find(says), std::string::npos) << problem;
   };
-  expect("\"map\":\"object\"", "\"map\":\"moon\"", "line 4: map");
+  expect(R"("map":"object")", R"("map":"moon")", "line 4: map");
   expect("\"confidence\":0.9", "\"confidence\":1.0", "confidence");
   expect("\"matter\":[0,", "\"matter\":[", "matter: expected runs");
   expect("\"matter\":[0,", "\"matter\":[0.5,", "matter: expected runs");

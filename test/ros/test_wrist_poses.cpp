@@ -54,16 +54,16 @@ TEST_F(WristPosesTest, giveTheWrenchInTheObjectFrameWithItsPose) {
 }
 
 TEST_F(WristPosesTest, areTheSameToTheBitOnceNewerOnesAreThere) {
-  const auto turnTo = [&](double angle, double time) {
+  const auto turn_to = [&](double angle, double time) {
     tf2_msgs::TFMessage message;
     const Pose pose = makePose(Vec3(0.1 * angle, 0.3, 0.7), Vec3(0.3 * angle, -0.7 * angle, angle));
     message.transforms.push_back(stampedTransform("world", "object", pose, ros::Time(time)));
     ASSERT_EQ(poses_.add(message, false), "");
   };
   for (int i = 1; i <= 1000; ++i) {
-    turnTo(0.001 * i, 1.0 + i);
+    turn_to(0.001 * i, 1.0 + i);
     const Result<WrenchSample> newest = sampleIn("object", 1.0 + i);
-    turnTo(0.0010001 * i, 1.5 + i);
+    turn_to(0.0010001 * i, 1.5 + i);
     const Result<WrenchSample> later = sampleIn("object", 1.0 + i);
     ASSERT_TRUE(newest && later);
     EXPECT_EQ(newest->T_world_object.matrix(), later->T_world_object.matrix()) << i;
