@@ -76,10 +76,10 @@ std::string toText(const WrenchAxes& axes) {
 
 WrenchAxes readWrenchAxes(ParameterReader* reader) {
   WrenchAxes axes;
-  reader->number("wrench_sign", &axes.sign, {-1.0, 1.0});
+  if (reader->has("wrench_sign")) reader->number("wrench_sign", &axes.sign, {-1.0, 1.0});
   if (std::abs(axes.sign) != 1.0) reader->error("wrench_sign", "is neither 1 nor -1; give one");
   std::string names = "x y z";
-  reader->text("wrench_axes", &names);
+  if (reader->has("wrench_axes")) reader->text("wrench_axes", &names);
   const std::optional<Eigen::Matrix3d> turn = turnNamed(names);
   if (!turn) {
     reader->error("wrench_axes", "'" + names +

@@ -96,16 +96,4 @@ void FreeSpaceEvidence::removeContact(int contact) {
   world_index_.build(world_places_);
 }
 
-void FreeSpaceEvidence::clear() {
-  cells_.clear();
-  poses_.clear();
-  object_places_.clear();
-  world_places_.clear();
-  contact_of_.clear();
-  first_place_.clear();
-  tables_.clear();
-  object_index_.build({});
-  world_index_.build({});
-}
-
 }  // namespace smore

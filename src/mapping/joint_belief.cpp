@@ -128,17 +128,6 @@ void JointBelief::drawAnew(std::uint64_t seed) {
   change();
 }
 
-void JointBelief::reset() {
-  free_.clear();
-  trail_.clear();
-  contacts_.clear();
-  levers_.clear();
-  poses_without_line_.clear();
-  at_unit_.clear();
-  ++resets_;
-  change();
-}
-
 void JointBelief::know(MapSide side, const Prior& prior) {
   const Pose T_frame_grid = side == MapSide::kWorld ? frame_.T_map_world() : Pose::Identity();
   KnownMatter known(side, prior, T_frame_grid, frame_.planar());
@@ -216,7 +205,6 @@ Worlds JointBelief::infer() const {
           main.free().cells(),
           freeTracks(trail_, unit),
           levers_.size(),
-          resets_,
           std::move(sampled),
           std::move(touched),
           std::move(world),

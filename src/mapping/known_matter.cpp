@@ -33,19 +33,6 @@ std::uint64_t bitsOf(const VoxelKey& key) {
 
 bool isMatter(const VoxelGrid::Voxel& voxel) { return voxel.probability >= kOccupied; }
 
-// Neighbours beyond the range of keys are not there.
-bool neighbour(const VoxelKey& key, int dx, int dy, int dz, VoxelKey* result) {
-  constexpr int kMin = std::numeric_limits<std::int16_t>::min();
-  constexpr int kMax = std::numeric_limits<std::int16_t>::max();
-  const std::array<int, 3> at = {key.x + dx, key.y + dy, key.z + dz};
-  for (const int index : at) {
-    if (index < kMin || index > kMax) return false;
-  }
-  *result = {static_cast<std::int16_t>(at[0]), static_cast<std::int16_t>(at[1]),
-             static_cast<std::int16_t>(at[2])};
-  return true;
-}
-
 }  // namespace
 
 double logOddsOf(double probability) { return std::log(probability) - std::log1p(-probability); }
@@ -96,9 +83,8 @@ bool KnownMatter::meetsFreeSpace(const VoxelKey& key) const {
   constexpr std::array<std::array<int, 3>, 6> kFaces = {
       {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
   return std::any_of(kFaces.begin(), kFaces.end(), [&](const std::array<int, 3>& face) {
-    VoxelKey next;
-    if (!neighbour(key, face[0], face[1], face[2], &next)) return false;
-    const auto probability = known_.probability(next);
+    const auto next = neighbourOf(key, face[0], face[1], face[2]);
+    const auto probability = next ? known_.probability(*next) : std::nullopt;
     return probability && *probability < kOccupied;
   });
 }
@@ -109,9 +95,8 @@ Vec3 KnownMatter::inwardOf(const VoxelKey& key) const {
   for (int dx = -kNormalReach; dx <= kNormalReach; ++dx) {
     for (int dy = -kNormalReach; dy <= kNormalReach; ++dy) {
       for (int dz = -kNormalReach; dz <= kNormalReach; ++dz) {
-        VoxelKey next;
-        if (!neighbour(key, dx, dy, dz, &next)) continue;
-        const auto probability = known_.probability(next);
+        const auto next = neighbourOf(key, dx, dy, dz);
+        const auto probability = next ? known_.probability(*next) : std::nullopt;
         if (probability) sum += (*probability >= kOccupied ? 1.0 : -1.0) * Vec3(dx, dy, dz);
       }
     }

@@ -31,19 +31,13 @@ VoxelGrid matterOf(const VoxelGrid& map, const VoxelGrid& known) {
   return matter;
 }
 
-// Positions of the voxels around one; those beyond the range of keys are not there.
+// Positions of the voxels around one that are there, its own among them.
 std::vector<std::size_t> neighbours(const VoxelGrid& grid, const VoxelKey& key) {
-  constexpr int kMin = std::numeric_limits<std::int16_t>::min();
-  constexpr int kMax = std::numeric_limits<std::int16_t>::max();
   std::vector<std::size_t> found;
-  for (int z = std::max(key.z - 1, kMin); z <= std::min(key.z + 1, kMax); ++z) {
-    for (int y = std::max(key.y - 1, kMin); y <= std::min(key.y + 1, kMax); ++y) {
-      for (int x = std::max(key.x - 1, kMin); x <= std::min(key.x + 1, kMax); ++x) {
-        const auto position = grid.find({static_cast<std::int16_t>(x), static_cast<std::int16_t>(y),
-                                         static_cast<std::int16_t>(z)});
-        if (position) found.push_back(*position);
-      }
-    }
+  for (int n = 0; n < 27; ++n) {
+    const auto next = neighbourOf(key, n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+    const auto position = next ? grid.find(*next) : std::nullopt;
+    if (position) found.push_back(*position);
   }
   return found;
 }

@@ -7,7 +7,7 @@ namespace smore {
 
 std::uint32_t MaskBricks::findOrAdd(const Cell& cell) {
   const std::uint64_t key =
-      keyOf(cell[0] >> kSideBits, cell[1] >> kSideBits, cell[2] >> layer_bits_);
+      cellKey(cell[0] >> kSideBits, cell[1] >> kSideBits, cell[2] >> layer_bits_);
   const std::uint32_t known = find(key);
   if (known != kNone) return known;
   if (2 * (lowest_cells_.size() + 1) >= slots_.size()) grow();
@@ -40,7 +40,7 @@ bool MaskBricks::row(const Cell& first, int count, HypothesisMask* masks) const 
   for (int i = 0; i < count;) {
     const int x = begin + i;
     const int length = std::min(count - i, kSide - (x & (kSide - 1)));
-    const std::uint32_t brick = find(keyOf(x >> kSideBits, y >> kSideBits, z >> layer_bits_));
+    const std::uint32_t brick = find(cellKey(x >> kSideBits, y >> kSideBits, z >> layer_bits_));
     if (brick == kNone) {
       std::fill_n(masks + i, length, HypothesisMask{0});
     } else {

@@ -62,14 +62,6 @@ void SequentialBelief::observe(const ContactObservation& observation) {
   applyFreeSpace(pose);
 }
 
-void SequentialBelief::reset() {
-  world_.clear();
-  object_.clear();
-  last_free_pose_.reset();
-  last_line_contact_ = 0;
-  ++revision_;
-}
-
 void SequentialBelief::applyContact(const Pose& T_world_object, const LineOfAction& line_object) {
   const LineOfAction line = transformLine(T_world_object, line_object);
   const Vec3 reach = parameters_.line_half_length * line.direction;

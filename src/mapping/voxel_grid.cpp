@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/mapping/voxel_grid.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -46,6 +47,17 @@ Vec3 voxelCenter(const VoxelKey& key, double voxel_size) {
   return voxel_size * Vec3(key.x + 0.5, key.y + 0.5, key.z + 0.5);
 }
 
+std::optional<VoxelKey> neighbourOf(const VoxelKey& key, int dx, int dy, int dz) {
+  constexpr int kMin = std::numeric_limits<std::int16_t>::min();
+  constexpr int kMax = std::numeric_limits<std::int16_t>::max();
+  const std::array<int, 3> at = {key.x + dx, key.y + dy, key.z + dz};
+  for (const int index : at) {
+    if (index < kMin || index > kMax) return std::nullopt;
+  }
+  return VoxelKey{static_cast<std::int16_t>(at[0]), static_cast<std::int16_t>(at[1]),
+                  static_cast<std::int16_t>(at[2])};
+}
+
 VoxelGrid::VoxelGrid(double voxel_size) : voxel_size_(voxel_size), index_(kInitialSlots, 0) {
   if (!(voxel_size > 0.0) || !std::isfinite(voxel_size)) {
     throw std::invalid_argument("voxel size must be positive, got " + std::to_string(voxel_size));
@@ -80,11 +92,6 @@ std::size_t VoxelGrid::set(const VoxelKey& key, float probability) {
   voxels_.push_back({key, probability});
   index_[slotOf(key)] = static_cast<std::uint32_t>(voxels_.size());
   return voxels_.size() - 1;
-}
-
-void VoxelGrid::clear() {
-  voxels_.clear();
-  index_.assign(kInitialSlots, 0);
 }
 
 void VoxelGrid::rebuildIndex(std::size_t slots) {

@@ -34,9 +34,7 @@ void BlockedMovements::observe(const ContactObservation& observation) {
   if (observation.state == ContactState::kFree) {
     trail_.record(pose);
     if (!counted(free_, pose)) free_.add(pose);
-  } else if (observation.state == ContactState::kContact &&
-             last_contact_id_ != observation.contact_id) {
-    last_contact_id_ = observation.contact_id;
+  } else if (contacts_.isFirst(observation)) {
     countBlocked(trail_.beyond(pose));
   }
 }

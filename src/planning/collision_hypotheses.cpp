@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "smore/common/cell_key.h"
 #include "smore/planning/occupied_voxels.h"
 
 namespace smore {
@@ -33,9 +34,8 @@ double cellFor(const std::vector<Prior>& object) {
 
 bool isInside(const std::set<VoxelKey>& matter, const VoxelKey& key, bool planar) {
   const auto at = [&](int dx, int dy, int dz) {
-    return matter.count({static_cast<std::int16_t>(key.x + dx),
-                         static_cast<std::int16_t>(key.y + dy),
-                         static_cast<std::int16_t>(key.z + dz)}) > 0;
+    const std::optional<VoxelKey> next = neighbourOf(key, dx, dy, dz);
+    return next && matter.count(*next) > 0;
   };
   return at(1, 0, 0) && at(-1, 0, 0) && at(0, 1, 0) && at(0, -1, 0) &&
          (planar || (at(0, 0, 1) && at(0, 0, -1)));
@@ -75,9 +75,7 @@ void CollisionHypotheses::observe(const ContactObservation& observation) {
                                                reach_ * angleBetween(*swept_last_, pose) >=
                                            0.5 * cell_;
     if (moved) sweep(pose);
-  } else if (observation.state == ContactState::kContact &&
-             last_contact_id_ != observation.contact_id) {
-    last_contact_id_ = observation.contact_id;
+  } else if (contacts_.isFirst(observation)) {
     sweep(pose);
     suppose(trail_->beyond(pose));
   }
@@ -129,9 +127,7 @@ CollisionHypotheses::Cell CollisionHypotheses::cellAt(const Vec3& point_world) c
   // In planar motion points lie in a face between cells, where rounding would choose for each anew.
   constexpr double kOffFaces = 0.25;
   const auto cell = (point_world.array() / cell_ + kOffFaces).floor().cast<std::int64_t>().eval();
-  constexpr std::int64_t kMask = (std::int64_t{1} << 21) - 1;
-  return static_cast<Cell>(cell.x() & kMask) | static_cast<Cell>(cell.y() & kMask) << 21 |
-         static_cast<Cell>(cell.z() & kMask) << 42;
+  return cellKey(cell.x(), cell.y(), cell.z());
 }
 
 }  // namespace smore

@@ -13,10 +13,7 @@ CspaceMemory::CspaceMemory(const CspaceMemoryParameters& parameters)
 }
 
 void CspaceMemory::observe(const ContactObservation& observation) {
-  if (observation.state != ContactState::kContact) return;
-  if (last_contact_id_ == observation.contact_id) return;
-  last_contact_id_ = observation.contact_id;
-  contacts_.add(observation.T_world_object);
+  if (first_.isFirst(observation)) contacts_.add(observation.T_world_object);
 }
 
 bool CspaceMemory::isValid(const Pose& pose, const Pose& known_free) const {
@@ -24,11 +21,6 @@ bool CspaceMemory::isValid(const Pose& pose, const Pose& known_free) const {
     return distance < parameters_.radius &&
            distance < gapBetween(known_free, contacts_.poses()[contact]);
   });
-}
-
-void CspaceMemory::reset() {
-  contacts_.clear();
-  last_contact_id_.reset();
 }
 
 }  // namespace smore

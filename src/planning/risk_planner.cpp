@@ -68,8 +68,6 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
 
 Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   const std::shared_ptr<const Worlds> worlds = belief_->worlds();
-  if (worlds->resets != resets_) alternatives_.clear();
-  resets_ = worlds->resets;
   const std::uint64_t seed = mixBits(seed_, calls_++);
   const double unit = worlds->unit;
   const RiskObjective& objective = parameters_.objective;

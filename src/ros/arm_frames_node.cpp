@@ -31,8 +31,8 @@ void runArmFrames() {
   const ros::Publisher publisher =
       node.advertise<tf2_msgs::TFMessage>(names::kTfStatic, names::kLatestQueue, kLatched);
   tf2_msgs::TFMessage message;
-  message.transforms = gripTransforms(arm, scenario->T_world_base, frames);
-  if (base_in_tf) message.transforms.erase(message.transforms.begin());
+  message.transforms = {gripTransform(arm, frames)};
+  if (!base_in_tf) message.transforms.push_back(baseTransform(arm, scenario->T_world_base, frames));
   publisher.publish(message);
   ros::spin();
 }

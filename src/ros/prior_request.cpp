@@ -9,11 +9,6 @@
 namespace smore {
 namespace {
 
-// As of the key `prior` of a scenario.
-constexpr double kFarthest = 100.0;  // [m]
-constexpr double kLeastConfidence = 0.001;
-constexpr double kMostConfidence = 1.0 - 1e-9;
-
 template <typename Vector>
 Vec3 vectorOf(const Vector& message) {
   return {message.x, message.y, message.z};
@@ -35,8 +30,7 @@ PriorFormat formatOf(const std::string& file) {
   }
   const auto format = priorFormatOf(file);
   if (format) return *format;
-  throw InputError("file: '" + file + "' is none of: a mesh (.stl, .obj, .ply, .dae), a cloud of " +
-                   "points (.pcd, .ply), an OctoMap (.ot, .bt)");
+  throw InputError("file: '" + file + "' is none of: " + kPriorFiles);
 }
 
 std::size_t offsetOf(const std::string& name, const sensor_msgs::PointCloud2& cloud) {
@@ -82,7 +76,7 @@ Pose poseOf(const geometry_msgs::Pose& message) {
   if (!isGiven(message)) return Pose::Identity();
   const Result<Pose> pose = fromMessage(message);
   if (!pose) throw InputError("pose: " + pose.reason());
-  if (!(pose->translation().cwiseAbs().maxCoeff() <= kFarthest)) {
+  if (!(pose->translation().cwiseAbs().maxCoeff() <= kPriorPosition.max)) {
     throw InputError("pose: farther than 100 m from the frame of the map");
   }
   return *pose;
@@ -103,7 +97,7 @@ std::optional<Bounds> boxOf(const smore_msgs::InsertPrior::Request& request) {
   const Bounds box{vectorOf(request.min), vectorOf(request.max)};
   if (box.min.isZero(0.0) && box.max.isZero(0.0)) return std::nullopt;
   if (!(box.min.array() < box.max.array()).all() ||
-      !(box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff() <= kFarthest)) {
+      !(box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff() <= kPriorPosition.max)) {
     throw InputError("min: not below max on every axis, or farther than 100 m");
   }
   return box;
@@ -130,7 +124,7 @@ PriorRequest readRequest(const smore_msgs::InsertPrior::Request& request,
   if (!scale.isZero(0.0)) source.scale = scale;
   if (!source.scale.allFinite()) throw InputError("scale: not finite");
   if (request.confidence != 0.0) source.confidence = request.confidence;
-  if (!(source.confidence >= kLeastConfidence && source.confidence <= kMostConfidence)) {
+  if (!(source.confidence >= kPriorConfidence.min && source.confidence <= kPriorConfidence.max)) {
     throw InputError("confidence: " + std::to_string(request.confidence) +
                      " is not from 0.001 to below 1");
   }

@@ -15,12 +15,14 @@ geometry_msgs::TransformStamped stampedTransform(const std::string& parent,
   return message;
 }
 
-std::vector<geometry_msgs::TransformStamped> gripTransforms(const ArmMotion& arm,
-                                                            const Pose& T_world_base,
-                                                            const FrameNames& frames) {
-  const ArmFrames& names = arm.model().frames();
-  return {stampedTransform(frames.world, names.base, T_world_base, ros::Time()),
-          stampedTransform(names.tool, frames.object, arm.T_tool_object(), ros::Time())};
+geometry_msgs::TransformStamped baseTransform(const ArmMotion& arm, const Pose& T_world_base,
+                                              const FrameNames& frames) {
+  return stampedTransform(frames.world, arm.model().frames().base, T_world_base, ros::Time());
+}
+
+geometry_msgs::TransformStamped gripTransform(const ArmMotion& arm, const FrameNames& frames) {
+  return stampedTransform(arm.model().frames().tool, frames.object, arm.T_tool_object(),
+                          ros::Time());
 }
 
 }  // namespace smore

@@ -14,8 +14,6 @@
 namespace smore {
 namespace {
 
-// Between two looks at the wishes of the user while nothing comes [s of wall time].
-constexpr double kLookPeriod = 0.01;
 // Of a retreat: it goes on where it was stopped, and while something still touches.
 constexpr int kMostStretches = 20;
 // The way before a touch on which its force's work is looked at [m + rad].

@@ -5,12 +5,6 @@
 #include "smore/ros/sensor_zero.h"
 
 namespace smore {
-namespace {
-
-// Between two looks at what comes [s of wall time].
-constexpr double kLookPeriod = 0.01;
-
-}  // namespace
 
 std::string RosRobot::waitUntilReady() {
   if (!parameters_.zero_service.empty() && !fault_place_.isHere()) {
@@ -31,8 +25,8 @@ std::string RosRobot::waitUntilReady() {
     fault = guardFault();
   }
   stream_.close();
-  if (!fault.empty() || !missing.empty()) return fault.empty() ? missing : fault;
-  return toolProblem();
+  if (!fault.empty()) return fault;
+  return missing.empty() ? toolProblem() : missing;
 }
 
 std::string RosRobot::missingBeside(const ContactObservation& observation) {

@@ -50,9 +50,8 @@ class ArmDriver : public SimulatedDriver {
   std::string sensorFrame() const override { return names().tool; }
 
   Transforms fixedTransforms() const override {
-    Transforms transforms = gripTransforms(arm_, T_world_base_link_, frames_);
-    transforms.push_back(controllerTransforms().front());
-    return transforms;
+    return {baseTransform(arm_, T_world_base_link_, frames_), gripTransform(arm_, frames_),
+            controllerTransforms().front()};
   }
 
   Transforms controllerTransforms() const override {

@@ -6,9 +6,7 @@
 namespace smore {
 namespace {
 
-constexpr Range kPosition{-100.0, 100.0};  // [m], as of shapes
 constexpr Range kScale{-1e6, 1e6};
-constexpr Range kConfidence{0.001, 1.0 - 1e-9};
 constexpr int kMostEntries = 32;  // of both maps together as many as the belief takes
 
 void readFile(ParameterReader* reader, PriorSource* entry) {
@@ -20,7 +18,7 @@ void readFile(ParameterReader* reader, PriorSource* entry) {
   }
   Vec3 position = Vec3::Zero();
   Vec3 rpy = Vec3::Zero();
-  if (reader->has("position")) reader->vector("position", &position, kPosition);
+  if (reader->has("position")) reader->vector("position", &position, kPriorPosition);
   if (reader->has("rpy")) reader->angles("rpy", &rpy);
   entry->pose = makePose(position, rpy);
   if (entry->format == PriorFormat::kMesh && reader->has("scale")) {
@@ -33,8 +31,8 @@ void readBox(ParameterReader* reader, PriorSource* entry) {
   const bool has_max = reader->has("max");
   if (!has_min && !has_max) return;
   Bounds box;
-  reader->vector("min", &box.min, kPosition);
-  reader->vector("max", &box.max, kPosition);
+  reader->vector("min", &box.min, kPriorPosition);
+  reader->vector("max", &box.max, kPriorPosition);
   if (!has_min || !has_max) return;
   if ((box.min.array() >= box.max.array()).any()) {
     reader->error("min", "not below max; give min first on every axis");
@@ -55,15 +53,15 @@ std::vector<PriorSource> readEntries(ParameterReader* reader, const std::string&
     if (of_file) entry.file = source.front() == '/' ? source : directory + source;
     const auto format = of_file ? priorFormatOf(entry.file) : PriorFormat::kTruth;
     if (!format) {
-      section.error("source", "'" + source + "' is none of: truth, a mesh (.stl, .obj, .ply, " +
-                                  ".dae), a cloud of points (.pcd, .ply), an OctoMap (.ot, .bt)");
+      section.error("source", "'" + source + "' is none of: truth, " + kPriorFiles);
       continue;
     }
     entry.format = *format;
     if (of_file) readFile(&section, &entry);
     readBox(&section, &entry);
-    if (section.has("offset")) section.vector("offset", &entry.offset, kPosition);
-    if (section.has("confidence")) section.number("confidence", &entry.confidence, kConfidence);
+    if (section.has("offset")) section.vector("offset", &entry.offset, kPriorPosition);
+    if (section.has("confidence"))
+      section.number("confidence", &entry.confidence, kPriorConfidence);
     section.finishNested();
     entries.push_back(entry);
   }

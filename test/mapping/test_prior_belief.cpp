@@ -137,17 +137,6 @@ TEST(PriorBelief, NeitherTheOrderNorARepetitionLeavesATrace) {
   EXPECT_EQ(difference(reference.object(), belief.object()).first, 0.0);
 }
 
-TEST(PriorBelief, StaysWhenAllElseIsForgotten) {
-  JointBelief fresh(planarParameters());
-  fresh.know(MapSide::kWorld, wall(0.5));
-  JointBelief belief(planarParameters());
-  belief.know(MapSide::kWorld, wall(0.5));
-  observeAll(wallObservations(), &belief);
-  belief.reset();
-  EXPECT_EQ(difference(fresh.world(), belief.world()).first, 0.0);
-  EXPECT_GT(fresh.world().size(), 0U);
-}
-
 // Seen points without free space: surfaces pull touches, and say nothing of what lies between.
 TEST(PriorBelief, ACloudOfPointsPullsTouches) {
   Prior cloud{VoxelGrid(0.01), 0.999};

@@ -113,16 +113,6 @@ TEST(SequentialBelief, clampsItsValues) {
   }
 }
 
-TEST(SequentialBelief, forgetsOnReset) {
-  SequentialBelief belief(parameters());
-  belief.observe(contactAlongX(1));
-  belief.reset();
-  EXPECT_TRUE(belief.world().empty());
-  EXPECT_TRUE(belief.object().empty());
-  belief.observe(contactAlongX(1));
-  EXPECT_EQ(belief.world().size(), 11u);
-}
-
 TEST(SequentialBelief, refusesImpossibleParameters) {
   SequentialBeliefParameters bad = parameters();
   bad.line_half_length = 0.0;

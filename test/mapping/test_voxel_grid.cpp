@@ -51,9 +51,13 @@ TEST(VoxelGrid, behavesAsAMap) {
     }
   }
   EXPECT_EQ(grid.size(), oracle.size());
-  grid.clear();
-  EXPECT_TRUE(grid.empty());
-  EXPECT_FALSE(grid.find({0, 0, 0}));
+}
+
+TEST(VoxelGrid, knowsNoNeighboursBeyondItsKeys) {
+  EXPECT_EQ(neighbourOf({1, 2, 3}, -1, 0, 1), (VoxelKey{0, 2, 4}));
+  EXPECT_FALSE(neighbourOf({32767, 0, 0}, 1, 0, 0));
+  EXPECT_FALSE(neighbourOf({0, 0, -32768}, 0, 0, -1));
+  EXPECT_EQ(neighbourOf({32767, 0, -32768}, -1, 0, 1), (VoxelKey{32766, 0, -32767}));
 }
 
 TEST(VoxelGrid, refusesAVoxelSizeThatIsNotPositive) {

@@ -16,7 +16,6 @@ class GivenMap : public TwinMap {
   const VoxelGrid& world() const override { return world_; }
   const VoxelGrid& object() const override { return object_; }
   std::uint64_t revision() const override { return 0; }
-  void reset() override {}
   void observe(const ContactObservation&) override {}
 
   void addWorld(const OccupiedVoxels& voxels, float probability) {

@@ -149,27 +149,6 @@ TEST_P(RiskPlannerIn, TakesTheBestPathAtTheDeadline) {
       << "a second is enough for a way round";
 }
 
-// What a search found before all was forgotten is no better than what it would find anew.
-TEST_P(RiskPlannerIn, ForgetsItsPathsWithTheBelief) {
-  JointBelief belief = emptyBelief(GetParam());
-  RiskPlannerParameters no_memory;
-  no_memory.alternatives = 0;
-  RiskPlanner planner(belief, spaceOf(GetParam()), {}, 5);
-  RiskPlanner forgetful(belief, spaceOf(GetParam()), no_memory, 5);
-  block(0.2, &belief);
-  planner.plan(kStart, kGoal);
-  forgetful.plan(kStart, kGoal);
-  belief.reset();
-  block(0.4, &belief);
-  const auto a = planner.plan(kStart, kGoal);
-  const auto b = forgetful.plan(kStart, kGoal);
-  ASSERT_TRUE(a && b);
-  ASSERT_EQ(a->path.size(), b->path.size());
-  for (std::size_t i = 0; i < a->path.size(); ++i) {
-    EXPECT_EQ(a->path[i].matrix(), b->path[i].matrix());
-  }
-}
-
 TEST_P(RiskPlannerIn, SaysWhyThereIsNoPlan) {
   const JointBelief belief = emptyBelief(GetParam());
   RiskPlanner planner(belief, spaceOf(GetParam()), {}, 1);

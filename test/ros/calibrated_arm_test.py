@@ -5,21 +5,19 @@
 import math
 import unittest
 
-import actionlib
 import numpy as np
-import rospy
 import rostest
 from geometry_msgs.msg import Pose, Quaternion
 from nav_msgs.msg import Path
 from rosgraph_msgs.msg import Log
 
-from node_testing import DEADLINE, Recorder, stamped, start_node
-from smore.msg import ContactObservation, RetrieveAction, RetrieveGoal
+from node_testing import Recorder, stamped, start_node
+from retrieve_client import RetrieveClient
+from smore.msg import ContactObservation, RetrieveGoal
 
 NEAR = 0.03  # a goal that nothing is in the way of [m]
 AT_TARGET = 2e-3  # [m]
 ON_THE_WAY = 2.5e-3  # [m]; a motion that began with a jump would be off by the calibration, 5 mm
-LONG = rospy.Duration(60.0)  # only failing tests wait so long
 
 
 def position(message):
@@ -42,14 +40,10 @@ class CalibratedArm(unittest.TestCase):
         log = Recorder("/rosout", Log)
         contacts = Recorder("contact", ContactObservation)
         plans = Recorder("path", Path)
-        client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
-        self.assertTrue(client.wait_for_server(rospy.Duration(DEADLINE)))
         goal = Pose()
         goal.position.x, goal.position.y, goal.position.z = 0.5, 0.14 - NEAR, 0.12
         goal.orientation = Quaternion(0.0, 0.0, math.sqrt(0.5), math.sqrt(0.5))
-        client.send_goal(RetrieveGoal(goal=stamped(goal)))
-        self.assertTrue(client.wait_for_result(LONG))
-        result = client.get_result()
+        result = RetrieveClient().retrieve(goal=RetrieveGoal(goal=stamped(goal)))
         self.assertTrue(result.success, result.message)
         self.assertIsNotNone(log.wait_for(lambda m: "tf has the tool" in m.msg), "the arm is not off")
         way = [position(stamped_pose) for stamped_pose in plans.wait_for(lambda m: m.poses).poses]

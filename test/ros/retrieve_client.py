@@ -13,8 +13,8 @@ class RetrieveClient:
         self._client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
         self._client.wait_for_server()
 
-    def retrieve(self, on_feedback=None):
-        """One retrieval to the scenario's goal; its result."""
-        self._client.send_goal(RetrieveGoal(), feedback_cb=on_feedback)
+    def retrieve(self, on_feedback=None, goal=None):
+        """One retrieval to `goal` or else to that of the scenario; its result."""
+        self._client.send_goal(goal or RetrieveGoal(), feedback_cb=on_feedback)
         self._client.wait_for_result()
         return self._client.get_result()

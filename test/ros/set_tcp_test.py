@@ -4,27 +4,19 @@
 
 import unittest
 
-import actionlib
-import rospy
 import rostest
 from sensor_msgs.msg import JointState
 
 from node_killing import MOVES, speed
-from node_testing import DEADLINE, Recorder, start_node
-from smore.msg import RetrieveAction, RetrieveGoal
-
-LONG = rospy.Duration(60.0)  # only failing tests wait so long
+from node_testing import Recorder, start_node
+from retrieve_client import RetrieveClient
 
 
 class SetTcp(unittest.TestCase):
     def test_the_goal_is_refused_with_the_offset_and_the_remedy_and_nothing_moves(self):
         start_node("set_tcp_test")
         joints = Recorder("/joint_states", JointState)
-        client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
-        self.assertTrue(client.wait_for_server(rospy.Duration(DEADLINE)))
-        client.send_goal(RetrieveGoal())
-        self.assertTrue(client.wait_for_result(LONG))
-        result = client.get_result()
+        result = RetrieveClient().retrieve()
         self.assertFalse(result.success)
         for words in ("0.1200) m in the tool's axes", "TCP set on the pendant, set it to zero"):
             self.assertIn(words, result.message)

@@ -21,7 +21,8 @@ struct WrenchSample {
   Pose T_world_object = Pose::Identity();
   Vec3 sensor_object = Vec3::Zero();  ///< the sensor's origin in the object frame [m]: its torque's
                                       ///< errors are errors about this point
-  Eigen::Matrix3d sensor_axes_object = Eigen::Matrix3d::Identity();  ///< the sensor's axes
+  Eigen::Matrix3d sensor_axes_object =
+      Eigen::Matrix3d::Identity();  ///< the sensor's axes in the object frame, as columns
 };
 
 /// What touch says about the pose at one instant.

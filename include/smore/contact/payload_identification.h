@@ -16,7 +16,8 @@ struct StillWrench {
   Wrench mean;        ///< at the origin and in the axes of the object frame, bias and weight in it
   Pose T_world_object = Pose::Identity();
   Vec3 sensor_object = Vec3::Zero();  ///< the sensor's origin in the object frame [m]
-  Eigen::Matrix3d sensor_axes_object = Eigen::Matrix3d::Identity();  ///< the sensor's axes
+  Eigen::Matrix3d sensor_axes_object =
+      Eigen::Matrix3d::Identity();  ///< the sensor's axes in the object frame, as columns
 };
 
 struct IdentifiedPayload {

@@ -29,7 +29,8 @@ std::vector<WrenchAxes> allWrenchAxes();
 std::string toText(const WrenchAxes& axes);
 
 /// Reads `wrench_sign` (1 or -1) and `wrench_axes`, the driver's axes that are the frame's x, y and
-/// z, as "y -x z". Errors are noted in `reader`: axes that do not make a right-handed frame, too.
+/// z, as "y -x z"; neither need be given. Errors are noted in `reader`: axes that do not make a
+/// right-handed frame, too.
 WrenchAxes readWrenchAxes(ParameterReader* reader);
 
 }  // namespace smore

@@ -43,8 +43,6 @@ class FreeCells {
   std::size_t count() const { return cells_.size(); }
   const FreeSpaceParameters& parameters() const { return parameters_; }
 
-  void clear() { cells_.clear(); }
-
  private:
   FreeSpaceParameters parameters_;
   std::unordered_set<Cell, HashOfCell> cells_;

@@ -52,8 +52,6 @@ class FreeSpaceEvidence {
     return tables_[on_object][in_world].get();
   }
 
-  void clear();
-
  private:
   void mark(int object_place, int world_place);
   void markContact(int first, int end);

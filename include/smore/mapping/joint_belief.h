@@ -51,8 +51,6 @@ class JointBelief : public TwinMap {
   const VoxelGrid& object() const override { return worlds()->object; }
   std::uint64_t revision() const override { return revision_; }
   void update() const override { worlds(); }
-  /// What is known beforehand stays.
-  void reset() override;
 
   /// Takes what is known of one map beforehand as evidence like others; the same twice counts once.
   /// InputError for more than kMostPriors pieces.
@@ -102,7 +100,6 @@ class JointBelief : public TwinMap {
   JointBeliefParameters parameters_;
   MapFrame frame_;
   std::uint64_t revision_ = 0;
-  std::uint64_t resets_ = 0;
   FreeCells free_;  ///< to the accuracy with which poses are kept
   Path trail_;      ///< a pose of each of these cells, in the order in which they were entered
   std::map<std::uint64_t, ObservedContact> contacts_;  ///< by their ids, those merged left out

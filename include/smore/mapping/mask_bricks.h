@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "smore/common/cell_key.h"
+
 namespace smore {
 
 /// One bit for each sampled explanation of the evidence.
@@ -23,7 +25,7 @@ class MaskBricks {
   explicit MaskBricks(bool flat = false) : layer_bits_(flat ? 0 : kSideBits), slots_(1) {}
 
   HypothesisMask at(int x, int y, int z) const {
-    const std::uint32_t brick = find(keyOf(x >> kSideBits, y >> kSideBits, z >> layer_bits_));
+    const std::uint32_t brick = find(cellKey(x >> kSideBits, y >> kSideBits, z >> layer_bits_));
     return brick == kNone ? 0 : masks_[brick + offsetOf(x, y, z)];
   }
 
@@ -56,10 +58,6 @@ class MaskBricks {
     std::uint32_t brick = kNone;  ///< where its masks begin
   };
 
-  static std::uint64_t keyOf(int x, int y, int z) {
-    constexpr std::uint64_t kAxis = (1U << 21) - 1;
-    return (x & kAxis) | (y & kAxis) << 21 | (z & kAxis) << 42;
-  }
   std::size_t offsetOf(int x, int y, int z) const {
     constexpr int kLast = kSide - 1;
     const int layer = z & ((1 << layer_bits_) - 1);

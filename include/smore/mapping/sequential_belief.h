@@ -33,7 +33,6 @@ class SequentialBelief : public TwinMap {
   const VoxelGrid& world() const override { return world_; }
   const VoxelGrid& object() const override { return object_; }
   std::uint64_t revision() const override { return revision_; }
-  void reset() override;
 
  private:
   void applyContact(const Pose& T_world_object, const LineOfAction& line_object);

@@ -25,9 +25,6 @@ class TwinMap : public ContactObserver {
 
   /// Rises whenever a map changes.
   virtual std::uint64_t revision() const = 0;
-
-  /// Forgets everything.
-  virtual void reset() = 0;
 };
 
 }  // namespace smore

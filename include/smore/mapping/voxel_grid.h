@@ -31,6 +31,9 @@ VoxelKey voxelAt(const Vec3& point, double voxel_size);
 /// Centre of a voxel [m].
 Vec3 voxelCenter(const VoxelKey& key, double voxel_size);
 
+/// The key so far from `key` on each axis; nothing beyond the range of keys.
+std::optional<VoxelKey> neighbourOf(const VoxelKey& key, int dx, int dy, int dz);
+
 /// Sparse grid of occupancy probabilities. A voxel that is not stored is unknown.
 ///
 /// Voxels stand in one array in the order of their insertion (iteration is a scan and does not
@@ -65,8 +68,6 @@ class VoxelGrid {
   void setAt(std::size_t position, float probability) {
     voxels_[position].probability = probability;
   }
-
-  void clear();
 
  private:
   std::size_t slotOf(const VoxelKey& key) const;

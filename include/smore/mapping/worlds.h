@@ -29,7 +29,6 @@ struct Worlds {
   /// Motions that were free, in the order in which they were made [T_world_object].
   std::vector<Path> tracks;
   std::size_t contacts = 0;  ///< observed so far, those that were merged included
-  std::uint64_t resets = 0;  ///< how often the belief had forgotten everything
 
   SampledWorlds sampled;
   TouchedPlaces touched;  ///< of the contacts that take part

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "smore/contact/contact_observation.h"
+#include "smore/contact/first_of_contact.h"
 #include "smore/planning/movement_belief.h"
 #include "smore/planning/movement_trail.h"
 #include "smore/planning/pose_index.h"
@@ -57,7 +58,7 @@ class BlockedMovements : public ContactObserver, public MovementBelief {
   PoseIndex blocked_;
   std::vector<double> times_blocked_;  ///< n_b of blocked_.poses()
   MovementTrail trail_;
-  std::optional<int> last_contact_id_;
+  FirstOfContact contacts_;
 };
 
 }  // namespace smore

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "smore/contact/contact_observation.h"
+#include "smore/contact/first_of_contact.h"
 #include "smore/mapping/prior.h"
 #include "smore/planning/movement_belief.h"
 #include "smore/planning/movement_trail.h"
@@ -59,7 +60,7 @@ class CollisionHypotheses : public ContactObserver, public MovementBelief {
   std::unordered_set<Cell> free_;
   std::unordered_map<Cell, std::vector<int>> suspected_;  ///< and the sets that they are in
   std::vector<int> sizes_;
-  std::optional<int> last_contact_id_;
+  FirstOfContact contacts_;
 };
 
 }  // namespace smore

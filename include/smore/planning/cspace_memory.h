@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "smore/contact/contact_observation.h"
+#include "smore/contact/first_of_contact.h"
 #include "smore/planning/pose_index.h"
 
 namespace smore {
@@ -38,13 +38,10 @@ class CspaceMemory : public ContactObserver {
   const std::vector<Pose>& contactPoses() const { return contacts_.poses(); }
   double radius() const { return parameters_.radius; }
 
-  /// Forgets everything.
-  void reset();
-
  private:
   CspaceMemoryParameters parameters_;
   PoseIndex contacts_;
-  std::optional<int> last_contact_id_;
+  FirstOfContact first_;
 };
 
 }  // namespace smore

@@ -22,8 +22,6 @@ class MovementTrail {
   /// long as its last step. The pose itself where it has not moved for so much as that.
   Pose beyond(const Pose& T_world_object) const;
 
-  void clear() { poses_.clear(); }
-
  private:
   double lengthBetween(const Pose& a, const Pose& b) const;
 

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "smore/common/cell_key.h"
 #include "smore/common/geometry.h"
 
 namespace smore {
@@ -41,13 +42,12 @@ class PoseIndex {
     return false;
   }
 
-  void clear();
-
  private:
   using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
 
   Cell cellOf(const Vec3& position) const;
-  static std::uint64_t keyOf(const Cell& cell);
+  /// Cells far away may share a list, which costs time only.
+  static std::uint64_t keyOf(const Cell& cell) { return cellKey(cell.x(), cell.y(), cell.z()); }
 
   double radius_;
   std::vector<Pose> poses_;

@@ -68,7 +68,6 @@ class RiskPlanner : public Planner {
   std::uint64_t seed_;
   std::uint64_t calls_ = 0;
   std::vector<std::vector<RiskState>> alternatives_;  ///< best first
-  std::uint64_t resets_ = 0;                          ///< of the belief when these were found
 };
 
 }  // namespace smore

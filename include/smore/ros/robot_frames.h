@@ -5,7 +5,6 @@
 #include <ros/time.h>
 
 #include <string>
-#include <vector>
 
 #include "smore/kinematics/arm_motion.h"
 #include "smore/ros/conversions.h"
@@ -18,10 +17,11 @@ geometry_msgs::TransformStamped stampedTransform(const std::string& parent,
                                                  const Pose& T_parent_child,
                                                  const ros::Time& stamp);
 
-/// What no driver of an arm can know: where the arm stands (its base in the world) and how the
-/// gripper holds the object (the object in the frame of the wrist sensor).
-std::vector<geometry_msgs::TransformStamped> gripTransforms(const ArmMotion& arm,
-                                                            const Pose& T_world_base,
-                                                            const FrameNames& frames);
+/// Where the arm stands, its base in the world: what no driver can know.
+geometry_msgs::TransformStamped baseTransform(const ArmMotion& arm, const Pose& T_world_base,
+                                              const FrameNames& frames);
+
+/// How the gripper holds the object, in the frame of the wrist sensor: what no driver can know.
+geometry_msgs::TransformStamped gripTransform(const ArmMotion& arm, const FrameNames& frames);
 
 }  // namespace smore

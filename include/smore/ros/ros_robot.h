@@ -74,6 +74,9 @@ class RosRobot : public Robot {
   void halt();
 
  private:
+  /// Between two looks at what comes and what the user wishes [s of wall time].
+  static constexpr double kLookPeriod = 0.01;
+
   enum class Step { kGoOn, kArrived, kStalled, kContact, kFault };
   struct Motion;
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "smore/common/geometry.h"
+#include "smore/common/parameters.h"
 
 namespace smore {
 
@@ -16,6 +17,15 @@ enum class PriorFormat {
   kCloud,   ///< points on surfaces: PCD, PLY without faces
   kOctree,  ///< an OctoMap: .ot, .bt
 };
+
+/// Values that an entry may have: what is farther from the frame of its map [m], or is nearly
+/// certain, is a slip.
+constexpr Range kPriorPosition{-100.0, 100.0};
+constexpr Range kPriorConfidence{0.001, 1.0 - 1e-9};
+
+/// The files that an entry may be read from, for messages.
+constexpr char kPriorFiles[] =
+    "a mesh (.stl, .obj, .ply, .dae), a cloud of points (.pcd, .ply), an OctoMap (.ot, .bt)";
 
 /// An entry of a scenario's key `prior` (docs/priors.md).
 struct PriorSource {
