@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/contact/wrench_axes.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -22,20 +23,25 @@ std::optional<Vec3> axisNamed(std::string name) {
   return Vec3(sign * Vec3::Unit(static_cast<Eigen::Index>(axis)));
 }
 
-std::optional<Eigen::Matrix3d> turnNamed(const std::string& text) {
-  std::istringstream words(text);
-  std::string word;
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();
-  for (int row = 0; row < 3; ++row) {
-    words >> word;
-    const std::optional<Vec3> axis = axisNamed(word);
-    word.clear();
+// The turn whose rows are the named axes; none where a name is wrong or they are no right-handed
+// frame.
+std::optional<Eigen::Matrix3d> turnOf(const std::array<std::string, 3>& names) {
+  Eigen::Matrix3d turn;
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    const std::optional<Vec3> axis = axisNamed(names.at(static_cast<size_t>(row)));
     if (!axis) return std::nullopt;
     turn.row(row) = axis->transpose();
   }
-  const bool more = static_cast<bool>(words >> word);
-  if (more || std::abs(turn.determinant() - 1.0) > 0.5) return std::nullopt;
+  if (std::abs(turn.determinant() - 1.0) > 0.5) return std::nullopt;
   return turn;
+}
+
+std::optional<Eigen::Matrix3d> turnNamed(const std::string& text) {
+  std::istringstream words(text);
+  std::array<std::string, 3> names;
+  std::string more;
+  words >> names[0] >> names[1] >> names[2] >> more;
+  return more.empty() ? turnOf(names) : std::nullopt;
 }
 
 }  // namespace
@@ -50,12 +56,12 @@ WrenchAxes compose(const WrenchAxes& second, const WrenchAxes& first) {
 
 std::vector<WrenchAxes> allWrenchAxes() {
   std::vector<WrenchAxes> all;
-  std::vector<std::string> names{"x", "y", "z", "-x", "-y", "-z"};
+  const std::vector<std::string> names{"x", "y", "z", "-x", "-y", "-z"};
   for (const double sign : {1.0, -1.0}) {
     for (const std::string& x : names) {
       for (const std::string& y : names) {
         for (const std::string& z : names) {
-          if (const auto turn = turnNamed(x + " " + y + " " + z)) all.push_back({*turn, sign});
+          if (const auto turn = turnOf({x, y, z})) all.push_back({*turn, sign});
         }
       }
     }
