@@ -151,6 +151,21 @@ std::optional<WrenchAxes> axesThatFitBetter(const std::vector<StillWrench>& pose
 
 }  // namespace
 
+std::string describe(const IdentifiedPayload& found) {
+  constexpr double kLeastMass = 0.05;  // [kg]; of less the centre is not known to a decimetre
+  const Payload& payload = found.payload;
+  std::ostringstream text;
+  text << "the payload is " << payload.mass << " kg ";
+  if (payload.mass < kLeastMass) {
+    text << "with a moment of (" << payload.moment_object.transpose() << ") kg m";
+  } else {
+    text << "at (" << (payload.moment_object / payload.mass).transpose() << ") m";
+  }
+  text << " in the object frame; " << found.force_residual << " N and " << found.torque_residual
+       << " N m are left over";
+  return text.str();
+}
+
 std::vector<Pose> payloadTilts(const Pose& level, double tilt) {
   std::vector<Pose> poses;
   for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY())}) {

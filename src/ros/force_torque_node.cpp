@@ -6,13 +6,13 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <memory>
-#include <sstream>
 
 #include "force_torque_parameters.h"
 #include "sensing_events.h"
 #include "sensing_record.h"
 #include "smore/contact/still_poses.h"
 #include "smore/ros/belief_files.h"
+#include "smore/ros/listener_status.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/sensing_request.h"
@@ -24,28 +24,6 @@ namespace {
 
 constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
 constexpr double kZeroingShows = 0.5;   // [s] from a driver's zeroing until it has come through
-
-std::string describe(const IdentifiedPayload& found) {
-  constexpr double kLeastMass = 0.05;  // [kg]; of less the centre is not known to a decimetre
-  const Payload& payload = found.payload;
-  std::ostringstream text;
-  text << "the payload is " << payload.mass << " kg ";
-  if (payload.mass < kLeastMass) {
-    text << "with a moment of (" << payload.moment_object.transpose() << ") kg m";
-  } else {
-    text << "at (" << (payload.moment_object / payload.mass).transpose() << ") m";
-  }
-  text << " in the object frame; " << found.force_residual << " N and " << found.torque_residual
-       << " N m are left over";
-  return text.str();
-}
-
-/// Of other nodes: what the maps follow from, and what is shown of them and of the plans.
-std::vector<std::string> recordedTopics() {
-  const std::string cells = std::string("/") + names::kOccupiedCells;
-  return {names::kEvidenceSource,    names::kScene,       names::kWorldMap + cells,
-          names::kObjectMap + cells, names::kPathMarkers, names::kContactLines};
-}
 
 /// Turns wrenches into contact observations. Wrenches and transforms arrive on one queue, handled
 /// by the main thread; a wrench waits until the pose at its own stamp is known. Services have a
@@ -81,6 +59,13 @@ class ForceTorqueNode {
                               hints);
     tare_ = serve(names::kTare, &tare_request_);
     identify_ = serve(names::kIdentifyPayload, &identify_request_);
+    statuses_.add("wrench", [this](Status* status) {
+      WrenchReport report = intake_.report();
+      report.dropped.not_finite = refused_;
+      wrench_status_.compose(report, status);
+    });
+    statuses_.add("sensor",
+                  [this](Status* status) { sensor_status_.compose(sensorReport(), status); });
   }
 
   void run() {
@@ -92,6 +77,7 @@ class ForceTorqueNode {
       intake_.handOn();
       checkSilence();
       checkRecord();
+      statuses_.publishIfDue();
     }
   }
 
@@ -154,7 +140,9 @@ class ForceTorqueNode {
     if (identify_request_.take()) identify(stamp);
     const bool was_tared = sensing_.tared();
     const Result<ContactObservation> observation = sensing_.process(sample);
+    newest_ = sample.time;
     if (!observation) {
+      ++refused_;
       if (sample_warning_.isDue()) ROS_WARN_STREAM(observation.reason());
       return publishUnsure(sample, stamp);
     }
@@ -243,6 +231,13 @@ class ForceTorqueNode {
     }
   }
 
+  SensorReport sensorReport() const {
+    SensorReport report = reportOf(sensing_, parameters_.sensing.detector, newest_);
+    report.range = parameters_.range;
+    report.saturated = intake_.saturated();
+    return report;
+  }
+
   void checkRecord() {
     if (!record_ || record_->problem().empty()) return;
     ROS_ERROR_STREAM("the record ends here: " << record_->problem() << "; check the disk");
@@ -276,6 +271,11 @@ class ForceTorqueNode {
   Throttle sample_warning_{kWarningPeriod};
   Throttle tare_warning_{kWarningPeriod}, silence_warning_{kWarningPeriod};
   int last_contact_ = 0;
+  double newest_ = 0.0;        ///< time of the last sample [s]
+  std::uint64_t refused_ = 0;  ///< samples that were not finite, or whose times did not rise
+  WrenchStatus wrench_status_;
+  SensorStatus sensor_status_;
+  StatusPublisher statuses_;
 };
 
 void runForceTorque() {

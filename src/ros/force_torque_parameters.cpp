@@ -34,6 +34,7 @@ ForceTorqueParameters readForceTorqueParameters(const YAML::Node& mapping,
   reader.number("silence_timeout", &parameters.silence_timeout, {0.01, 3600.0});
   reader.number("tare_timeout", &parameters.tare_timeout, {0.1, 3600.0});
   parameters.sensing = readContactSensingParameters(&reader);
+  if (scenario) parameters.range = wristSensorRange(scenario->robot);
   if (scenario && !tiltsPayload(*scenario)) parameters.sensing.payload.unknown_mass = 0.0;
   if (reader.has("record")) reader.text("record", &parameters.record);
   reader.finish();

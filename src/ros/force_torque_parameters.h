@@ -7,6 +7,7 @@
 
 #include "smore/contact/contact_sensing.h"
 #include "smore/contact/wrench_axes.h"
+#include "smore/kinematics/wrist_sensor.h"
 #include "smore/ros/conversions.h"
 
 namespace smore {
@@ -18,6 +19,7 @@ struct ForceTorqueParameters {
   double silence_timeout = 2.0;    ///< wall time without a wrench before a warning [s]
   double tare_timeout = 10.0;      ///< wall time that the services wait [s]
   ContactSensingParameters sensing;
+  WrenchRange range;   ///< of the scenario's arm
   std::string record;  ///< bag of what is taken; empty: none
 };
 

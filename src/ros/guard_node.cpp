@@ -18,6 +18,7 @@
 #include "smore/kinematics/joint_commands.h"
 #include "smore/kinematics/motion_stream.h"
 #include "smore/ros/controller_watch.h"
+#include "smore/ros/guard_status.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/safety_mode.h"
@@ -52,6 +53,7 @@ class GuardNode {
         stream_(parameters.horizon),
         deceleration_(parameters.horizon.deceleration),
         joint_names_(std::move(joint_names)),
+        parameters_(parameters.guard),
         period_(parameters.guard.max_lateness / kChecksPerLateness) {
     node_.setCallbackQueue(&queue_);
     private_node_.setCallbackQueue(&queue_);
@@ -65,6 +67,7 @@ class GuardNode {
     subscribe();
     stop_ = private_node_.advertiseService(names::kStop, &GuardNode::onStop, this);
     clear_ = private_node_.advertiseService(names::kClear, &GuardNode::onClear, this);
+    statuses_.add("motion", [this](Status* status) { compose(report(), status); });
   }
 
   void run() {
@@ -79,6 +82,7 @@ class GuardNode {
       }
       guard_.check(heard_);
       reactToFault();
+      statuses_.publishIfDue();
     }
     endAtRest();
   }
@@ -213,6 +217,11 @@ class GuardNode {
     return true;
   }
 
+  GuardReport report() const {
+    return {guard_.fault(), guard_.lateness(heard_), stream_.active(), parameters_.max_force,
+            parameters_.max_torque};
+  }
+
   /// Stops the robot at a new fault, and tells of what has changed.
   void reactToFault() {
     if (guard_.fault() == published_) return;
@@ -236,6 +245,7 @@ class GuardNode {
   MotionStream stream_;
   double deceleration_;  ///< of a brake [rad/s^2]
   std::vector<std::string> joint_names_;
+  MotionGuardParameters parameters_;
   ros::WallDuration period_;  ///< between two checks for silence
   double heard_ = now();      ///< what had come by then is known [s]
   bool waits_ = false;        ///< whether the motion waits, since what is known is late
@@ -249,6 +259,7 @@ class GuardNode {
   ros::ServiceServer stop_, clear_;
   std::optional<ControllerWatch> controller_;
   std::string published_;
+  StatusPublisher statuses_;
 };
 
 void runGuard() {

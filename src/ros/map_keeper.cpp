@@ -59,6 +59,8 @@ void MapKeeper::push(const ContactObservation& observation) {
   {
     const std::lock_guard<std::mutex> lock(queue_mutex_);
     queue_.push_back(observation);
+    arrived_.newest = observation.time;
+    arrived_.at = std::chrono::steady_clock::now();
   }
   queued_.notify_one();
 }
@@ -66,6 +68,13 @@ void MapKeeper::push(const ContactObservation& observation) {
 void MapKeeper::access(const std::function<void(const MapState&)>& read) const {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   read(state_);
+}
+
+Arrivals MapKeeper::arrivals() const {
+  const std::lock_guard<std::mutex> lock(queue_mutex_);
+  Arrivals arrived = arrived_;
+  arrived.waiting = queue_.size();
+  return arrived;
 }
 
 bool MapKeeper::waitFor(double stamp, double timeout) const {

@@ -4,11 +4,13 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
+#include "keeper_start.h"
 #include "mapping_parameters.h"
 #include "smore/mapping/prior_maps.h"
 #include "smore/ros/belief_files.h"
 #include "smore/ros/evidence_messages.h"
 #include "smore/ros/map_publisher.h"
+#include "smore/ros/mapping_status.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/prior_request.h"
@@ -26,27 +28,6 @@ ros::Time timeOf(double stamp) {
   return time.fromSec(stamp);
 }
 
-std::unique_ptr<EvidenceJournal> makeJournal(const MappingParameters& parameters,
-                                             const EvidenceSource& source) {
-  const auto directory = journalOf(parameters);
-  if (!directory) return nullptr;
-  return std::make_unique<EvidenceJournal>(*directory, source);
-}
-
-/// With what there is to go on from, which is sought before a journal of its own is begun.
-std::unique_ptr<MapKeeper> makeKeeper(const MappingParameters& parameters,
-                                      const EvidenceSource& source, const BeliefFiles& files) {
-  const auto earlier = earlierEvidence(parameters);
-  auto keeper = std::make_unique<MapKeeper>(
-      [source](const Priors& priors) {
-        return makeTwinMap(source.method, source.task, source.seed, source.parameters.belief,
-                           priors);
-      },
-      spacingFor(source.task), makeJournal(parameters, source), source.priors);
-  if (earlier) ROS_INFO_STREAM(files.loadFrom(*earlier, keeper.get()));
-  return keeper;
-}
-
 /// Observations come in on the main thread and are handed to the keeper; services and publishing
 /// have threads of their own, since they wait for it.
 class MappingNode {
@@ -55,7 +36,7 @@ class MappingNode {
       : parameters_(parameters),
         source_(source),
         files_(belowRosHome(parameters.beliefs), source),
-        keeper_(makeKeeper(parameters, source, files_)),
+        keeper_(startKeeper(parameters, source, files_)),
         service_node_(makeServiceNode()),
         world_(service_node_, names::kWorldMap, parameters.frames.world,
                {Vec3::Zero(), Vec3::Ones()}, parameters.display_min_probability),
@@ -68,6 +49,7 @@ class MappingNode {
     source_told_ = service_node_.advertise<smore_msgs::EvidenceSource>(names::kEvidenceSource,
                                                                        names::kLatestQueue, true);
     offerServices();
+    statuses_.add("maps", [this](Status* status) { compose(report_, status); });
     timer_ = service_node_.createWallTimer(ros::WallDuration(parameters.publish_period),
                                            &MappingNode::onTimer, this);
   }
@@ -236,7 +218,10 @@ class MappingNode {
   }
 
   void onTimer(const ros::WallTimerEvent& /*event*/) {
-    if (const auto problem = keeper_->takeProblem()) ROS_ERROR_STREAM(*problem);
+    if (const auto problem = keeper_->takeProblem()) {
+      ROS_ERROR_STREAM(*problem);
+      report_.problem = *problem;
+    }
     std::optional<smore_msgs::EvidenceSource> source;
     std::optional<VoxelGrid> world, object;
     std::vector<LineOfAction> lines;
@@ -246,6 +231,7 @@ class MappingNode {
       revision = revisionOf(state);
       stamp = timeOf(state.stamp);
       lines = state.lines;
+      report_.observations = state.log.size();
       if (std::exchange(epoch_told_, state.log.epoch()) != epoch_told_)
         source = sourceMessage(source_, state);
       if (world_.isDue(revision)) world = state.maps->world();
@@ -255,6 +241,16 @@ class MappingNode {
     if (object) object_.publish(*object, revision, stamp);
     if (source) source_told_.publish(*source);
     publishLines(lines);
+    report_.lines = lines.size();
+    report_.revision = revision;
+    publishStatus();
+  }
+
+  void publishStatus() {
+    note(keeper_->arrivals(), &report_);
+    report_.world_voxels = world_.voxels();
+    report_.object_voxels = object_.voxels();
+    statuses_.publishIfDue();
   }
 
   void publishLines(const std::vector<LineOfAction>& lines) {
@@ -277,6 +273,8 @@ class MappingNode {
   std::vector<ros::ServiceServer> servers_;
   ros::WallTimer timer_;
   std::size_t lines_sent_ = 0;
+  MappingReport report_;
+  StatusPublisher statuses_;
   Throttle warning_{kWarningPeriod};
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -7,6 +8,7 @@
 #include "smore/ros/evidence_messages.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
+#include "smore/ros/planner_status.h"
 #include "smore/ros/scene_markers.h"
 
 namespace smore {
@@ -15,6 +17,8 @@ namespace {
 // Between the poses at which the drawn path changes its colour.
 constexpr double kColorDistance = 0.02;  // [m]
 constexpr double kColorAngle = 0.1;      // [rad]
+
+constexpr double kStatusPeriod = 0.1;  // between two looks whether statuses are due [s]
 
 struct PlannerNodeParameters {
   FrameNames frames;
@@ -54,6 +58,16 @@ class PlannerNode {
     plan_ = node_.advertiseService(names::kPlanPath, &PlannerNode::onPlan, this);
     touch_ = node_.advertiseService(names::kPlanTouch, &PlannerNode::onTouch, this);
     check_ = node_.advertiseService(names::kCheckPose, &PlannerNode::onCheck, this);
+    statuses_.add("plans", [this](Status* status) { status_.compose(status); });
+    timer_ = status_node_.createWallTimer(ros::WallDuration(kStatusPeriod),
+                                          &PlannerNode::onStatusTimer, this);
+  }
+
+  /// Serves until ROS ends; how it fares is told beside, while a plan is being made too.
+  void run() {
+    ros::AsyncSpinner statuses(1, &status_queue_);
+    statuses.start();
+    ros::spin();
   }
 
  private:
@@ -90,8 +104,10 @@ class PlannerNode {
   }
 
   bool onPlan(smore_msgs::PlanPath::Request& request, smore_msgs::PlanPath::Response& response) {
+    status_.begin();
     response.message = plan(request, &response);
     response.success = static_cast<unsigned char>(response.message.empty());
+    if (response.success == 0) status_.refuse(response.message);
     return true;
   }
 
@@ -112,12 +128,19 @@ class PlannerNode {
     response->path = toMessage(plan->path, parameters_.frames.world, stamp_.toSec());
     response->risk = plan->risk;
     response->revision = revision_;
+    status_.find(pathLength(plan->path), plan->risk);
     show(*plan, response->path);
     return "";
   }
 
   bool onTouch(smore_msgs::PlanTouch::Request& request, smore_msgs::PlanTouch::Response& response) {
+    status_.begin();
     const Result<Path> path = touch(request);
+    if (path) {
+      status_.find(pathLength(*path), std::nullopt);
+    } else {
+      status_.refuse(path.reason());
+    }
     response.enough = static_cast<unsigned char>(path && path->empty());
     response.success = static_cast<unsigned char>(path && !path->empty());
     if (!path) response.message = path.reason();
@@ -160,6 +183,14 @@ class PlannerNode {
     return true;
   }
 
+  void onStatusTimer(const ros::WallTimerEvent& /*event*/) { statuses_.publishIfDue(); }
+
+  static ros::NodeHandle nodeOn(ros::CallbackQueue* queue) {
+    ros::NodeHandle node;
+    node.setCallbackQueue(queue);
+    return node;
+  }
+
   PlannerNodeParameters parameters_;
   Pose start_;
   MotionSpace space_;
@@ -170,6 +201,11 @@ class PlannerNode {
   ros::ServiceClient maps_;
   ros::Publisher path_, markers_, tree_;
   ros::ServiceServer plan_, touch_, check_;
+  PlannerStatus status_;
+  StatusPublisher statuses_;
+  ros::CallbackQueue status_queue_;
+  ros::NodeHandle status_node_ = nodeOn(&status_queue_);
+  ros::WallTimer timer_;
 };
 
 void runPlanner() {
@@ -178,8 +214,7 @@ void runPlanner() {
   const std::optional<Scenario> scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
   reader.finish();
-  const PlannerNode node(parameters, *scenario);
-  ros::spin();
+  PlannerNode(parameters, *scenario).run();
 }
 
 }  // namespace

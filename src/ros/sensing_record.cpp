@@ -12,6 +12,12 @@
 
 namespace smore {
 
+std::vector<std::string> recordedTopics() {
+  const std::string cells = std::string("/") + names::kOccupiedCells;
+  return {names::kEvidenceSource,    names::kScene,       names::kWorldMap + cells,
+          names::kObjectMap + cells, names::kPathMarkers, names::kContactLines};
+}
+
 SensingRecord::SensingRecord(const std::string& file) {
   std::error_code problem;
   std::filesystem::create_directories(std::filesystem::path(file).parent_path(), problem);

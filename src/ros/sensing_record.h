@@ -14,6 +14,10 @@
 
 namespace smore {
 
+/// What a record follows of other nodes: what the maps follow from, and what is shown of them and
+/// of the plans.
+std::vector<std::string> recordedTopics();
+
 /// A bag of what a node is given, in the order in which it is: nothing of it is missing, whenever
 /// the node begins. Written by a thread of its own, so that nobody waits for the disk.
 class SensingRecord {

@@ -38,17 +38,24 @@ WrenchIntake::WrenchIntake(const ForceTorqueParameters& parameters,
 
 void WrenchIntake::onWrench(const geometry_msgs::WrenchStamped& message) {
   last_arrival_ = ros::WallTime::now();
+  ++received_;
   const ros::Time& stamp = message.header.stamp;
   if (wentBack(stamp, last_stamp_)) restart();
   if (stamp <= last_stamp_) {
+    ++dropped_.repeated;
     return warnOfDropped(message, "it is not newer than the one before; who else publishes?",
                          &repeated_warning_);
   }
   const std::string problem = frameNameProblem(message.header.frame_id);
-  if (!problem.empty()) return warnOfDropped(message, problem, &frame_warning_);
+  if (!problem.empty()) {
+    ++dropped_.frameless;
+    return warnOfDropped(message, problem, &frame_warning_);
+  }
   last_stamp_ = stamp;
+  const Wrench wrench = inFrame(parameters_.axes, fromMessage(message.wrench));
+  if (isSaturated(wrench, parameters_.range)) ++saturated_;
   waiting_.push_back(message);
-  waiting_.back().wrench = toMessage(inFrame(parameters_.axes, fromMessage(message.wrench)));
+  waiting_.back().wrench = toMessage(wrench);
   watchRate(stamp.toSec());
 }
 
@@ -73,6 +80,7 @@ void WrenchIntake::handOn() {
       on_sample_(*sample, first.header.stamp);
     } else if (!poses_.begunAfter(first.header.stamp, parameters_.transform_timeout)) {
       if (!expired()) return;
+      ++dropped_.poseless;
       warnOfDropped(first, sample.reason(), &pose_warning_);
     }
     waiting_.pop_front();
@@ -88,10 +96,28 @@ void WrenchIntake::restart() {
   on_restart_();
 }
 
+// How much newer wrenches are than the first one that waits [s].
+double WrenchIntake::waited() const {
+  if (waiting_.empty()) return 0.0;
+  return (waiting_.back().header.stamp - waiting_.front().header.stamp).toSec();
+}
+
 // Whether the first wrench waited too long, or too many wait.
 bool WrenchIntake::expired() const {
-  const double waited = (waiting_.back().header.stamp - waiting_.front().header.stamp).toSec();
-  return waited > parameters_.transform_timeout || waiting_.size() >= names::kStreamQueue;
+  return waited() > parameters_.transform_timeout || waiting_.size() >= names::kStreamQueue;
+}
+
+WrenchReport WrenchIntake::report() const {
+  WrenchReport report;
+  report.received = received_;
+  report.silence = silence();
+  report.silence_timeout = parameters_.silence_timeout;
+  report.period = rate_.period();
+  report.jitter = rate_.jitter();
+  report.told_period = parameters_.sensing.noise.sample_period;
+  report.waiting = waited();
+  report.dropped = dropped_;
+  return report;
 }
 
 void WrenchIntake::watchRate(double time) {

@@ -10,6 +10,7 @@
 
 #include "force_torque_parameters.h"
 #include "smore/contact/sample_rate.h"
+#include "smore/ros/listener_status.h"
 #include "smore/ros/throttle.h"
 #include "smore/ros/wrist_poses.h"
 
@@ -36,8 +37,15 @@ class WrenchIntake {
   /// Seconds of wall time since the last wrench came, usable or not, or since the beginning.
   double silence() const { return (ros::WallTime::now() - last_arrival_).toSec(); }
 
+  /// What there is to say of the stream now.
+  WrenchReport report() const;
+
+  /// Samples at the end of the sensor's range, since the beginning.
+  std::uint64_t saturated() const { return saturated_; }
+
  private:
   void restart();
+  double waited() const;
   bool expired() const;
   void watchRate(double time);
 
@@ -53,6 +61,8 @@ class WrenchIntake {
   ros::Time last_pose_;   ///< of the newest pose that came
   SampleRate rate_;
   bool rate_told_ = false;
+  std::uint64_t received_ = 0, saturated_ = 0;
+  DroppedWrenches dropped_;
   Throttle repeated_warning_{kWarningPeriod}, frame_warning_{kWarningPeriod};
   Throttle pose_warning_{kWarningPeriod}, transform_warning_{kWarningPeriod};
 };

@@ -26,6 +26,18 @@ TEST(SampleRate, isThePeriodOfASecondWhateverTheTiming) {
   }
 }
 
+TEST(SampleRate, knowsHowUnevenlySamplesCome) {
+  SampleRate even, alternating;
+  for (int i = 0; i < 2000; ++i) {
+    const double late = i % 2 == 0 ? 0.0 : 0.0005;
+    even.add(0.002 * i);
+    alternating.add(0.002 * i + late);
+  }
+  ASSERT_TRUE(even.jitter() && alternating.jitter());
+  EXPECT_NEAR(*even.jitter(), 0.0, 1e-8);
+  EXPECT_NEAR(*alternating.jitter(), 0.0005, 1e-6);
+}
+
 TEST(SampleRate, isNotThatOfAGap) {
   SampleRate rate;
   double time = 0.0;

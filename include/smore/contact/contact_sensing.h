@@ -78,6 +78,12 @@ class ContactSensing {
   void setPayload(const Payload& payload);
   const Payload& payload() const { return compensator_.payload(); }
 
+  /// Of the sensor, at the origin and in the axes of the object frame; zero while not tared.
+  Wrench bias() const { return compensator_.bias(); }
+
+  /// How well the force's bias is known, per axis [N]; 0 while not tared.
+  double biasStddev() const { return compensator_.biasStddev(); }
+
   /// When the bias was last learnt from a sample [s]; nothing while not tared.
   std::optional<double> biasTime() const { return compensator_.biasTime(); }
 

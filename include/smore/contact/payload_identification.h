@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "smore/common/result.h"
@@ -26,6 +27,9 @@ struct IdentifiedPayload {
   double force_residual = 0.0;   ///< root mean square over poses and axes [N]
   double torque_residual = 0.0;  ///< the same about the sensor's origin [N m]
 };
+
+/// What was found, in words.
+std::string describe(const IdentifiedPayload& found);
 
 /// The pose `level` turned by `tilt` [rad] to and fro about the world's x and y axes, the origin
 /// staying where it is.

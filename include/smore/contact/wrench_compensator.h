@@ -56,6 +56,9 @@ class WrenchCompensator {
   /// Takes `residual`, known to `stddev` [N] on each axis, into the bias as of `time` [s].
   void addToBias(double time, const Wrench& residual, double stddev);
 
+  /// Of the sensor, at the origin and in the axes of the object frame; zero while not tared.
+  Wrench bias() const { return bias_ ? bias_->bias() : Wrench{}; }
+
   /// How well the force's bias is known, per axis [N]; 0 while not tared.
   double biasStddev() const { return bias_ ? bias_->stddev() : 0.0; }
 

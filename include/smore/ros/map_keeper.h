@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -41,6 +42,13 @@ inline std::uint64_t changesOf(const MapState& state) {
   return state.maps->revision() - state.first_revision;
 }
 
+/// What has come to a keeper.
+struct Arrivals {
+  std::size_t waiting = 0;                                  ///< observations not yet in the maps
+  double newest = 0.0;                                      ///< time of the last observation [s]
+  std::optional<std::chrono::steady_clock::time_point> at;  ///< when that came; nothing before one
+};
+
 /// Takes observations into a twin map in a thread of its own, so that who hands them over never
 /// waits for a belief update. Nothing is dropped: the queue grows while an update runs. An
 /// observation that does not fit into the maps is left out, and a journal that can no longer be
@@ -63,6 +71,9 @@ class MapKeeper {
 
   /// Calls `read` with the state, which changes for nobody meanwhile.
   void access(const std::function<void(const MapState&)>& read) const;
+
+  /// What has come so far, whether it is in the maps or not. Never waits for an update of these.
+  Arrivals arrivals() const;
 
   /// Waits until every observation up to `stamp` [s] is in the maps; false if that takes longer
   /// than `timeout` of wall time [s].
@@ -107,6 +118,7 @@ class MapKeeper {
   mutable std::mutex queue_mutex_;
   std::condition_variable queued_;
   std::deque<ContactObservation> queue_;
+  Arrivals arrived_;  ///< but for what waits
   bool ending_ = false;
 
   mutable std::mutex state_mutex_;

@@ -3,6 +3,7 @@
 
 #include <ros/ros.h>
 
+#include <optional>
 #include <string>
 
 #include "smore/ros/map_conversions.h"
@@ -30,7 +31,11 @@ class MapPublisher {
            cells_.isDue(revision);
   }
 
+  /// Voxels of the last map that was published; nothing before.
+  const std::optional<std::size_t>& voxels() const { return voxels_; }
+
   void publish(const VoxelGrid& grid, std::uint64_t revision, const ros::Time& stamp) {
+    voxels_ = grid.size();
     const std_msgs::Header header = headerAt(stamp);
     full_.send(revision, [&] { return fullOctomap(grid, header); });
     binary_.send(revision, [&] { return binaryOctomap(grid, header); });
@@ -70,6 +75,7 @@ class MapPublisher {
   std::string frame_;
   MapColors colors_;
   double min_probability_;
+  std::optional<std::size_t> voxels_;
   Topic full_, binary_, cloud_, cells_;
 };
 
