@@ -5,6 +5,8 @@ import os
 
 import numpy
 
+from lattice import circle, flood
+
 BAR = 0.06  # width of a bar and height of each planar object [m]
 PEG_RADIUS = 0.03
 PEG_LENGTH = 0.30
@@ -27,7 +29,7 @@ def times(scale, values):
 
 
 class Shape:
-    """A box (its size) or a cylinder (its radius and length), where it stands."""
+    """A box (its size), a cylinder (its radius and length) or a sphere (its radius), where it stands."""
 
     def __init__(self, kind, lengths, position, rpy=(0, 0, 0)):
         self.kind, self.lengths, self.position, self.rpy = kind, lengths, position, rpy
@@ -39,7 +41,7 @@ class Shape:
         if self.kind == "box":
             lengths = f"size: {triple(self.lengths)}"
         else:
-            lengths = "radius: {}, length: {}".format(*map(text_of, self.lengths))
+            lengths = ", ".join(f"{name}: {text_of(value)}" for name, value in zip(("radius", "length"), self.lengths))
         turned = f", rpy: {triple(self.rpy)}" if any(self.rpy) else ""
         return f"{{type: {self.kind}, {lengths}, position: {triple(self.position)}{turned}}}"
 
@@ -50,6 +52,10 @@ def box(size, position, rpy=(0, 0, 0)):
 
 def cylinder(radius, length, position, rpy=(0, 0, 0)):
     return Shape("cylinder", (radius, length), position, rpy)
+
+
+def sphere(radius, position):
+    return Shape("sphere", (radius,), position)
 
 
 class Planar:
@@ -79,6 +85,10 @@ class Planar:
     def wall(self, start, end, radius=0.02):
         self.walls.append((*start, *end, radius))
         return self
+
+    def place_among(self, obstacles):
+        """Among those of another scene, in place of its own."""
+        self.walls = obstacles.walls
 
     def object_shapes(self):
         return [box((length, width, BAR), (x, y, 0), (0, 0, angle)) for x, y, angle, length, width in self.bars]
@@ -121,6 +131,10 @@ class Planar:
                 least = numpy.minimum(least, outside + inside - radius)
         return least
 
+    def clearance_of_ends(self):
+        """Distance between object and environment at the start or the goal, the lesser of the two [m]."""
+        return min(self.clearance(0.0, 0.0, 0.0), self.clearance(*GOAL, 0.0))
+
     def straight_way_is_blocked(self):
         x = numpy.linspace(0, GOAL[0], 401)
         return bool((self.clearance(x, 0.0, 0.0) <= 0).any())
@@ -132,36 +146,19 @@ class Planar:
         x = numpy.arange(round(low[0] / step), round(high[0] / step) + 1) * step
         y = numpy.arange(round(low[1] / step), round(high[1] / step) + 1) * step
         angle = numpy.arange(turns) * (2 * math.pi / turns)
-        free = numpy.ones((len(x), len(y), turns), dtype=bool)
+        free = numpy.ones((turns, len(x), len(y)), dtype=bool)
         for disc in self.discs():
             far = self.reach() + disc[2] + margin
             near = [slice(*numpy.searchsorted(axis, (at - far, at + far))) for axis, at in zip((x, y), disc)]
-            poses = x[near[0], None, None], y[None, near[1], None], angle[None, None, :]
-            free[near[0], near[1]] &= self.clearance(*poses, [disc]) > margin
-        cell = [(numpy.argmin(abs(x - px)), numpy.argmin(abs(y - py)), 0) for px, py in ((0, 0), GOAL)]
-        steps = flood(free, *cell)
+            poses = x[None, near[0], None], y[None, None, near[1]], angle[:, None, None]
+            free[:, near[0], near[1]] &= self.clearance(*poses, [disc]) > margin
+        cell = [(0, numpy.argmin(abs(x - px)), numpy.argmin(abs(y - py))) for px, py in ((0, 0), GOAL)]
+        steps = flood(free, *cell, circle(turns))
         return None if steps is None else steps * step
 
-
-def flood(free, start, goal):
-    """Number of unit steps from start to goal through free cells of a grid that is periodic in the last axis."""
-    if not free[start] or not free[goal]:
-        return None
-    reached = numpy.zeros_like(free)
-    reached[start] = True
-    for step in range(free.size):
-        if reached[goal]:
-            return step
-        grown = reached | numpy.roll(reached, 1, 2) | numpy.roll(reached, -1, 2)
-        grown[1:] |= reached[:-1]
-        grown[:-1] |= reached[1:]
-        grown[:, 1:] |= reached[:, :-1]
-        grown[:, :-1] |= reached[:, 1:]
-        grown &= free
-        if (grown == reached).all():
-            return None
-        reached = grown
-    return None
+    def retrieval(self):
+        """The task."""
+        return planar(self)
 
 
 def write(directory, name, comment, lines):

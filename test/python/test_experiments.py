@@ -147,8 +147,9 @@ class ExperimentsTest(unittest.TestCase):
         for experiment in (figure3, figure4, figure7, rivals, calibration, sensitivity, generality):
             if experiment is generality:
                 drawn = {"object": "star", "obstacles": "pegs", "scale": 2.5, "rejected": {"no way out was found": 2}}
-                (scene.parent / "scenes.json").write_text(json.dumps({"planar_1001": drawn}))
-                asked = [Trial("planar_1001", str(scene), 1001)]
+                names = ("planar_1001", "spatial_1001")
+                (scene.parent / "scenes.json").write_text(json.dumps(dict.fromkeys(names, drawn)))
+                asked = [Trial(name, str(scene), 1001) for name in names]
             else:
                 asked = experiment.trials(self.folder, True)
             text, figures = experiment.report(run(asked, self.folder / experiment.__name__, 2), self.folder)
