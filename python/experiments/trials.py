@@ -35,6 +35,22 @@ class Trial:
             *self.options, "--output", str(output),
         ]
 
+    def evidence(self):
+        """The file that it records, or None."""
+        if "--record" not in self.options:
+            return None
+        return pathlib.Path(self.options[self.options.index("--record") + 1], f"seed_{self.seed}.evidence")
+
+
+def recorded(name, scenario, seed, method, directory, options=()):
+    """A trial that records its evidence below `directory`."""
+    return Trial(name, scenario, seed, method, ("--record", str(directory / "evidence" / name), *options))
+
+
+def evidence_of(record):
+    """The file that a trial recorded, by its line in the store."""
+    return Trial(**record["trial"]).evidence()
+
 
 class TrialError(RuntimeError):
     """A trial that did not run; the message is the program's."""
@@ -57,9 +73,12 @@ class Store:
             self.file.write_text(whole)
 
     def knows(self, trial):
-        """Whether this very trial is finished: another of its name, of other settings, is not."""
+        """Whether this very trial is finished: another of its name, of other settings, is not, nor is one whose record
+        is gone."""
         record = self.finished.get(trial.name)
-        return record is not None and record["trial"] == json.loads(json.dumps(dataclasses.asdict(trial)))
+        if record is None or record["trial"] != json.loads(json.dumps(dataclasses.asdict(trial))):
+            return False
+        return trial.evidence() is None or trial.evidence().exists()
 
     def add(self, trial, result):
         record = {"trial": dataclasses.asdict(trial), "result": result}

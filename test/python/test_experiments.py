@@ -10,12 +10,17 @@ import sys
 import tempfile
 import unittest
 
+import matplotlib.animation
 import matplotlib.figure
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
-from experiments import calibration, figure3, figure4, figure7, generality, lines_through_a_voxel, methods, rivals, sensitivity, trials  # noqa: E402
+from experiments import (  # noqa: E402
+    animation, calibration, figure3, figure4, figure5, figure6, figure7, generality, lines_through_a_voxel, methods,
+    rivals, sensitivity, trials,
+)
+from experiments.recording import Recording, moments  # noqa: E402
 from experiments.trials import Store, Trial, TrialError, run  # noqa: E402
 
 # Stands for smore_experiment: notes each call, and fails for seed 13.
@@ -30,9 +35,14 @@ motions = [{"risk": 0.9, "touched": True}] * (seed % 5) + [{"risk": 0.4, "touche
 trial = {"seed": seed, "success": seed % 7 != 0, "collisions": seed % 5, "motions": motions}
 trial.update({side: {"precision": None if seed == 1001 else 0.5} for side in ("object_map", "world_map")})
 open(arguments["--output"], "w").write(json.dumps({"trials": [trial]}))
+if "--record" in arguments:
+    import pathlib
+    folder = pathlib.Path(arguments["--record"])
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / ("seed_%d.evidence" % seed)).write_text(pathlib.Path(sys.argv[0]).with_suffix(".evidence").read_text())
 """
 
-# Stands for smore_rebuild: writes two octrees of one leaf, whose probability is a half.
+# Stands for smore_rebuild: keeps what it was given, and writes two octrees of one leaf, whose probability is a half.
 REBUILD = """#!/usr/bin/python3
 import pathlib, struct, sys
 output = pathlib.Path(sys.argv[sys.argv.index("--output") + 1])
@@ -40,7 +50,34 @@ output.mkdir(exist_ok=True)
 header = b"# Octomap OcTree file\\nid OcTree\\nsize 1\\nres 0.03\\ndata\\n"
 for side in ("world", "object"):
     (output / (side + ".ot")).write_bytes(header + struct.pack("<fB", 0.0, 0))
+given = pathlib.Path(sys.argv[sys.argv.index("--evidence") + 1]).read_text()
+(output / "summary.json").write_text(given)
 """
+
+
+def row_major(x, turn=0.0):
+    cosine, sine = np.cos(turn), np.sin(turn)
+    return [cosine, -sine, 0, x, sine, cosine, 0, 0, 0, 0, 1, 0]
+
+
+def evidence_of_two_motions():
+    """The first touches and is set back, the second arrives."""
+    records = [{"record": name} for name in ("task", "method")]
+    for contact, end in ((1, "contact"), (0, "reached")):
+        records.append({"record": "motion", "path": [row_major(0), row_major(-1)]})
+        for sample in range(60):
+            records.append({"record": "observation", "state": "free", "pose": row_major(-0.002 * sample)})
+        if contact:
+            line = {"point": [0.1, 0, 0], "direction": [0, 1, 0]}
+            turned = row_major(-0.12, np.pi / 2)
+            records.append({"record": "observation", "state": "contact", "pose": turned})
+            records.append({"record": "truth", "contact": 1, "points": [{"position": [0, 0.15, 0]}]})
+        records.append({"record": "motion_end", "end": end, "pose": row_major(-0.12 if contact else -1)})
+        if contact:
+            records.append({"record": "observation", "state": "contact", "pose": turned, "line": line})
+            records.append({"record": "observation", "state": "free", "pose": row_major(0)})
+    lines = [{"format": "smore evidence"}, *records, {"record": "outcome"}]
+    return "".join(json.dumps(line, separators=(",", ":")) + "\n" for line in lines)
 
 
 class ExperimentsTest(unittest.TestCase):
@@ -52,6 +89,7 @@ class ExperimentsTest(unittest.TestCase):
         for file, text in ((program, PROGRAM), (self.folder / "smore_rebuild", REBUILD)):
             file.write_text(text)
             file.chmod(0o755)
+        (self.folder / "program.evidence").write_text(evidence_of_two_motions())
         self.calls = self.folder / "program.calls"
         self.addCleanup(setattr, trials, "PROGRAM", trials.PROGRAM)
         trials.PROGRAM = program
@@ -141,10 +179,51 @@ class ExperimentsTest(unittest.TestCase):
         laid = np.array(figure4.place_of(index, middle)) + figure4.free_pose(index)
         np.testing.assert_allclose(laid, lines_through_a_voxel.TOUCHED, atol=1e-12)
 
+    def test_a_trial_whose_record_is_gone_is_run_again(self):
+        asked = [trials.recorded("t", "scene", 1, "smore", self.folder)]
+        run(asked, self.folder, 1)
+        run(asked, self.folder, 1)
+        self.assertEqual(self.seeds_called(), [1])
+        asked[0].evidence().unlink()
+        run(asked, self.folder, 1)
+        self.assertEqual(self.seeds_called(), [1, 1])
+
+    def test_a_recording_has_ways_lines_and_places_in_the_world(self):
+        recording = Recording(self.folder / "program.evidence")
+        first, second = recording.motions
+        self.assertEqual((first.touched, second.touched), (True, False))
+        self.assertEqual([recording.contacts_before(index) for index in (0, 1)], [0, 1])
+        self.assertEqual([len(motion.way) for motion in recording.motions], [2 + 1 + 1, 2 + 1])
+        point, direction = first.line
+        np.testing.assert_allclose(point, [-0.12, 0.1, 0], atol=1e-12)
+        np.testing.assert_allclose(direction, [-1, 0, 0], atol=1e-12)
+        np.testing.assert_allclose(first.places, [[0, 0.15, 0]])
+        self.assertEqual(moments(recording, 4), [0, 1])
+
+    def test_maps_before_a_motion_are_made_once_of_what_was_observed_by_then(self):
+        whole = (self.folder / "program.evidence").read_text()
+        recording = Recording(self.folder / "program.evidence")
+        for index, motions in ((0, 0), (1, 1), (2, 2)):
+            world, held = recording.maps_before(index, self.folder / "maps")
+            self.assertEqual((world[2][0], held[2][0]), (0.5, 0.5))
+            given = self.folder / f"maps/before_motion_{index}/summary.json"
+            self.assertTrue(whole.startswith(given.read_text()))
+            self.assertEqual(given.read_text().count('"record":"motion"'), motions)
+            made = given.stat().st_mtime_ns
+            recording.maps_before(index, self.folder / "maps")
+            self.assertEqual(given.stat().st_mtime_ns, made)
+            self.assertFalse(list((self.folder / "maps").glob("*.evidence")))
+
+    def test_an_animation_shows_each_motion_to_its_end(self):
+        recording = Recording(self.folder / "program.evidence")
+        shown = animation.frames(recording)
+        self.assertEqual(shown[-1], (1, len(recording.motions[1].way)))
+        self.assertTrue(all(1 <= behind <= len(recording.motions[index].way) for index, behind in shown))
+
     def test_each_experiment_draws_its_figures(self):
         scene = self.folder / "scenes/planar_1001.yaml"
         scene.parent.mkdir()
-        for experiment in (figure3, figure4, figure7, rivals, calibration, sensitivity, generality):
+        for experiment in (figure3, figure4, figure5, figure6, figure7, rivals, calibration, sensitivity, generality):
             if experiment is generality:
                 drawn = {"object": "star", "obstacles": "pegs", "scale": 2.5, "rejected": {"no way out was found": 2}}
                 names = ("planar_1001", "spatial_1001")
@@ -156,7 +235,7 @@ class ExperimentsTest(unittest.TestCase):
             self.assertTrue(text.startswith("| "), text)
             self.assertTrue(figures)
             for figure in figures.values():
-                self.assertIsInstance(figure, matplotlib.figure.Figure)
+                self.assertIsInstance(figure, (matplotlib.figure.Figure, matplotlib.animation.Animation))
 
 
 if __name__ == "__main__":
