@@ -17,7 +17,9 @@ WORLD_COLORS = LinearSegmentedColormap.from_list("world", ["#9a9a9a", "#000000"]
 OBJECT_COLORS = LinearSegmentedColormap.from_list("object", ["#fdc58f", "#a63603"])
 ENVIRONMENT, OBJECT, START, PLAN, WAY, LINE = "#4d4d4d", "#f2a65a", "#a63603", "#0072b2", "#56b4e9", "#cc79a7"
 MARGIN = 0.05  # around what is shown, of its width
-WIDTH, LEGEND_HEIGHT = 7.2, 0.4  # [inch]
+WIDTH = 7.2  # of a figure, at most [inch]
+HIGHEST = 2.2  # of a panel [inch]
+LABELS, GAP, LEGEND_LINE = 0.8, 0.12, 0.2  # left of all panels, between them, and of the legend [inch]
 
 
 class PlanarScene:
@@ -146,33 +148,36 @@ def contacts_in_words(count):
 def draw(planar, recording, indices, draw_known, legend, known="maps and plan"):
     """The strip: a column for each motion of `indices`. draw_known(axes, index) draws what is known before it."""
     limits = limits_of(planar, [recording.motions[index] for index in indices])
-    height = WIDTH / len(indices) * (limits[3] - limits[2]) / (limits[1] - limits[0])
-    figure = plt.figure(figsize=(WIDTH, 2 * height + 1.1), constrained_layout=True)
-    grid = figure.add_gridspec(3, len(indices), height_ratios=[height, height, LEGEND_HEIGHT])
+    ratio = (limits[3] - limits[2]) / (limits[1] - limits[0])
+    height = min(((WIDTH - LABELS) / len(indices) - GAP) * ratio, HIGHEST)
+    width = LABELS + len(indices) * (height / ratio + GAP)
+    columns = 4 if width > 6 else 3
+    below = LEGEND_LINE * -(-len(legend) // columns)
+    figure = plt.figure(figsize=(width, 2 * height + below + LABELS), constrained_layout=True)
+    grid = figure.add_gridspec(3, len(indices), height_ratios=[height, height, below])
     for column, index in enumerate(indices):
-        above, below = (figure.add_subplot(grid[line, column]) for line in range(2))
+        above, lower = (figure.add_subplot(grid[line, column]) for line in range(2))
         draw_known(above, index)
         draw_plan(above, planar, recording.motions[index])
-        draw_truth(below, planar, recording.motions[index], recording.motions[index].way)
+        draw_truth(lower, planar, recording.motions[index], recording.motions[index].way)
         above.set_title(contacts_in_words(recording.contacts_before(index)), fontsize=9)
         set_up(above, limits, column == 0, False, known)
-        set_up(below, limits, column == 0, True, "scene")
-    add_legend(figure.add_subplot(grid[2, :]), legend)
+        set_up(lower, limits, column == 0, True, "scene")
+    last = figure.add_subplot(grid[2, :])
+    last.set_axis_off()
+    last.legend(handles=legend, loc="center", ncol=columns, fontsize=7.5, frameon=False)
     return figure
 
 
-def add_legend(axes, entries):
-    axes.set_axis_off()
-    axes.legend(handles=entries, loc="center", ncol=(len(entries) + 1) // 2, fontsize=7.5, frameon=False)
-
-
 SCENE_LEGEND = [
-    Line2D([], [], color=PLAN, lw=1.4, label="planned way of the object's origin"),
-    Line2D([], [], color=WAY, lw=1.4, label="executed"),
+    Line2D([], [], color=PLAN, lw=1.4, label="planned way"),
+    Line2D([], [], color=WAY, lw=1.4, label="executed way"),
     Patch(color=OBJECT, label="object at its end"),
     Line2D([], [], color=START, lw=0.7, ls=":", label="object at the start"),
     Line2D([], [], color="black", marker="x", ls="", mew=1.6, label="where it touches"),
 ]
 MAP_LEGEND = [
-    Patch(color=WORLD_COLORS(0.7), label="world, P ≥ 0.5"), Patch(color=OBJECT_COLORS(0.5), label="object, P ≥ 0.5"),
+    Patch(color=WORLD_COLORS(0.7), label="world, P ≥ 0.5"),
+    Patch(color=OBJECT_COLORS(0.5), label="object, P ≥ 0.5"),
 ]
+LINE_LEGEND = Line2D([], [], color=LINE, lw=1.0, label="line of action")

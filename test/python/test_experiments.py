@@ -17,8 +17,8 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 from experiments import (  # noqa: E402
-    animation, calibration, figure3, figure4, figure5, figure6, figure7, generality, lines_through_a_voxel, methods,
-    rivals, sensitivity, trials,
+    animation, calibration, figure3, figure4, figure5, figure6, figure7, figure9, generality,
+    lines_through_a_voxel, methods, rivals, sensitivity, trials,
 )
 from experiments.recording import Recording, moments  # noqa: E402
 from experiments.trials import Store, Trial, TrialError, run  # noqa: E402
@@ -223,7 +223,8 @@ class ExperimentsTest(unittest.TestCase):
     def test_each_experiment_draws_its_figures(self):
         scene = self.folder / "scenes/planar_1001.yaml"
         scene.parent.mkdir()
-        for experiment in (figure3, figure4, figure5, figure6, figure7, rivals, calibration, sensitivity, generality):
+        figures_of_paper = (figure3, figure4, figure5, figure6, figure7, figure9)
+        for experiment in (*figures_of_paper, rivals, calibration, sensitivity, generality):
             if experiment is generality:
                 drawn = {"object": "star", "obstacles": "pegs", "scale": 2.5, "rejected": {"no way out was found": 2}}
                 names = ("planar_1001", "spatial_1001")
