@@ -185,6 +185,11 @@ void ContactSensing::startTare() {
   forgetContact();
 }
 
+void ContactSensing::suspend() {
+  compensator_.suspend();
+  forgetContact();
+}
+
 void ContactSensing::setPayload(const Payload& payload) {
   compensator_.setPayload(payload);
   forgetContact();

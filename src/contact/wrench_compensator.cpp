@@ -49,13 +49,20 @@ void WrenchCompensator::setPayload(const Payload& payload) {
 }
 
 void WrenchCompensator::startTare() {
+  suspend();
+  suspended_ = false;
+}
+
+void WrenchCompensator::suspend() {
   bias_.reset();
   still_.clear();
+  suspended_ = true;
 }
 
 std::optional<Wrench> WrenchCompensator::process(const WrenchSample& raw) {
   const Wrench unloaded = raw.wrench - weight(raw.T_world_object);
   if (bias_) return unloaded - bias_->bias();
+  if (suspended_) return std::nullopt;
   if (still_.empty()) tare_since_ = raw.time;
   still_.push_back(unloaded);
   if (enoughForTare(raw.time)) finishTare(raw);

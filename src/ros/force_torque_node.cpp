@@ -15,15 +15,14 @@
 #include "smore/ros/listener_status.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
-#include "smore/ros/sensing_request.h"
 #include "smore/ros/throttle.h"
+#include "tare_requests.h"
 #include "wrench_intake.h"
 
 namespace smore {
 namespace {
 
 constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
-constexpr double kZeroingShows = 0.5;   // [s] from a driver's zeroing until it has come through
 
 /// Turns wrenches into contact observations. Wrenches and transforms arrive on one queue, handled
 /// by the main thread; a wrench waits until the pose at its own stamp is known. Services have a
@@ -57,7 +56,8 @@ class ForceTorqueNode {
                                                                  names::kStreamQueue);
     wrench_ = node_.subscribe(names::kWrench, names::kStreamQueue, &ForceTorqueNode::onWrench, this,
                               hints);
-    tare_ = serve(names::kTare, &tare_request_);
+    tare_ = serve(names::kTare, &tares_.tare());
+    suspend_ = serve(names::kSuspend, &tares_.suspension());
     identify_ = serve(names::kIdentifyPayload, &identify_request_);
     statuses_.add("wrench", [this](Status* status) {
       WrenchReport report = intake_.report();
@@ -115,7 +115,7 @@ class ForceTorqueNode {
     note(Event::RESET, ros::Time());
     sensing_ = ContactSensing(parameters_.sensing);
     still_poses_.clear();
-    tare_asked_.reset();
+    tares_.restart();
   }
 
   ros::ServiceServer serve(const std::string& name, SensingRequest* request) {
@@ -135,8 +135,7 @@ class ForceTorqueNode {
 
   void process(const WrenchSample& sample, const ros::Time& stamp) {
     if (told_.events.empty()) note(Event::START, stamp);
-    if (tare_request_.take()) tare_asked_ = sample.time;
-    if (tare_asked_) beginTare(sample.time, stamp);
+    if (const auto kind = tares_.apply(sample.time, &sensing_)) noteBias(*kind, stamp);
     if (identify_request_.take()) identify(stamp);
     const bool was_tared = sensing_.tared();
     const Result<ContactObservation> observation = sensing_.process(sample);
@@ -154,16 +153,10 @@ class ForceTorqueNode {
     addStill(sample, observation->state);
   }
 
-  /// Begins the tare that was asked for, unless something presses. A zeroing at the driver shows in
-  /// the signal only after a while.
-  void beginTare(double time, const ros::Time& stamp) {
-    const std::string objection = sensing_.tareObjection();
-    if (!objection.empty() && time - *tare_asked_ < kZeroingShows) return;
-    tare_asked_.reset();
-    if (!objection.empty()) return tare_request_.finish({false, objection});
-    sensing_.startTare();
-    note(Event::TARE, stamp);
-    still_poses_.clear();  // the sensor may have been zeroed
+  /// After a tare or before a zeroing: what was averaged for the payload is of another bias.
+  void noteBias(std::uint8_t kind, const ros::Time& stamp) {
+    note(kind, stamp);
+    still_poses_.clear();
   }
 
   /// A contact beyond what the weight may be is none of a pose's wrench. Where no weight is
@@ -221,10 +214,10 @@ class ForceTorqueNode {
   }
 
   void reportTare(bool was_tared) {
-    if (tare_asked_) return;
+    if (tares_.tareWaits()) return;
     if (sensing_.tared()) {
       if (!was_tared) ROS_INFO("tared");
-      tare_request_.finish({true, "tared"});
+      tares_.tare().finish({true, "tared"});
       identify_request_.finish({true, payload_found_});
     } else if (!sensing_.tareProblem().empty()) {
       if (tare_warning_.isDue()) ROS_WARN_STREAM("tare refused: " << sensing_.tareProblem());
@@ -255,9 +248,9 @@ class ForceTorqueNode {
   ForceTorqueParameters parameters_;
   ContactSensing sensing_;
   StillPoses still_poses_;
-  std::optional<double> tare_asked_;  ///< when a tare was asked for that has not begun [s]
-  std::string payload_found_;         ///< what was identified last; empty: nothing yet
-  SensingRequest tare_request_, identify_request_;
+  TareRequests tares_;
+  std::string payload_found_;  ///< what was identified last; empty: nothing yet
+  SensingRequest identify_request_;
   WrenchIntake intake_;
   ros::CallbackQueue queue_;
   ros::CallbackQueue service_queue_;
@@ -267,7 +260,7 @@ class ForceTorqueNode {
   smore_msgs::SensingEvents told_;
   std::unique_ptr<SensingRecord> record_;
   ros::Subscriber wrench_, tf_, tf_static_;
-  ros::ServiceServer tare_, identify_;
+  ros::ServiceServer tare_, suspend_, identify_;
   Throttle sample_warning_{kWarningPeriod};
   Throttle tare_warning_{kWarningPeriod}, silence_warning_{kWarningPeriod};
   int last_contact_ = 0;

@@ -49,6 +49,7 @@ void SensingReplay::applyEvents(const ros::Time& stamp) {
     const Event& event = events_[next_event_];
     if (event.kind == Event::RESET || event.stamp > stamp) return;
     if (event.kind == Event::TARE) sensing_.startTare();
+    if (event.kind == Event::SUSPEND) sensing_.suspend();
     if (event.kind != Event::PAYLOAD) continue;
     parameters_.sensing.payload = payloadOf(event);
     sensing_.setPayload(parameters_.sensing.payload);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "smore/common/result.h"
 #include "smore/ros/conversions.h"
 #include "smore/ros/interruptible_call.h"
 #include "smore/ros/names.h"
@@ -79,16 +80,26 @@ class RawForce {
   bool near_zero_ = false;
 };
 
-std::string callTrigger(ros::NodeHandle* node, const std::string& name, double timeout,
-                        const std::function<bool()>& given_up) {
+/// The answer of a service; a failure where there is none.
+Result<std_srvs::Trigger::Response> ask(ros::NodeHandle* node, const std::string& name,
+                                        double timeout, const std::function<bool()>& given_up) {
   ros::ServiceClient client = node->serviceClient<std_srvs::Trigger>(name);
   std_srvs::Trigger call;
+  const std::string service = "the service '" + client.getService() + "'";
   if (!waitForService(&client, timeout, given_up)) {
-    return "the service '" + client.getService() + "' does not appear; is its node up?";
+    return Failure{service + " does not appear; is its node up?"};
   }
-  if (!callInterruptibly(client, &call, given_up)) call.response.message = "no answer";
-  if (call.response.success != 0) return "";
-  return "the service '" + client.getService() + "' failed: " + call.response.message;
+  if (!callInterruptibly(client, &call, given_up)) return Failure{service + " gave no answer"};
+  return call.response;
+}
+
+/// Why a service did not do what it is for; empty where it did.
+std::string demand(ros::NodeHandle* node, const std::string& name, double timeout,
+                   const std::function<bool()>& given_up) {
+  const auto answer = ask(node, name, timeout, given_up);
+  if (!answer) return answer.reason();
+  if (answer->success != 0) return "";
+  return "the service '" + node->resolveName(name) + "' failed: " + answer->message;
 }
 
 }  // namespace
@@ -99,7 +110,11 @@ std::string zeroSensor(ros::NodeHandle* node, const std::string& zero_service, d
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
   bool zeroed = false;
   while (!zeroed && ros::ok() && !given_up() && ros::WallTime::now() < deadline) {
-    std::string problem = callTrigger(node, zero_service, timeout, given_up);
+    // Else the zeroing would be a contact. Where something seems to press, be it the weight of what
+    // has just been gripped, the listener refuses, and is tared all the same once it is zeroed.
+    const auto suspended = ask(node, names::kListenerSuspend, timeout, given_up);
+    if (!suspended) return suspended.reason();
+    std::string problem = demand(node, zero_service, timeout, given_up);
     if (!problem.empty()) return problem;
     zeroed = force.comesToZero(std::min(kPatience, timeout), given_up);
   }
@@ -110,7 +125,7 @@ std::string zeroSensor(ros::NodeHandle* node, const std::string& zero_service, d
            << " N; does the object hang free, and do wrenches come?";
     return reason.str();
   }
-  return callTrigger(node, names::kListenerTare, timeout, given_up);
+  return demand(node, names::kListenerTare, timeout, given_up);
 }
 
 }  // namespace smore

@@ -84,6 +84,18 @@ TEST_F(ContactSensingTest, saysUnsureWhileItTares) {
   EXPECT_TRUE(sensing_.tared());
 }
 
+TEST_F(ContactSensingTest, claimsNothingFromASuspensionUntilTheTareHoweverTheForceSteps) {
+  sensing_.suspend();
+  for (const auto& observation : hold({Vec3(0, 0, 20), Vec3::Zero()}, 200)) {
+    EXPECT_EQ(observation.state, ContactState::kUnsure);
+  }
+  EXPECT_FALSE(sensing_.tared());
+  sensing_.startTare();
+  const auto observations = hold({Vec3(0, 0, 20), Vec3::Zero()}, 100);
+  EXPECT_EQ(observations.back().state, ContactState::kFree);
+  EXPECT_EQ(observations.back().contact_id, 0);
+}
+
 TEST_F(ContactSensingTest, leavesBadSamplesOutAndGoesOn) {
   WrenchSample bad;
   bad.time = kPeriod * ++n_;

@@ -56,8 +56,12 @@ class ForceTorqueNode(unittest.TestCase):
 
     def tare(self, **sample):
         """The reply to a tare while such samples come."""
+        return self.ask("tare", **sample)
+
+    def ask(self, name, **sample):
+        """The reply to a service of the listener while such samples come."""
         replies = []
-        service = rospy.ServiceProxy("force_torque/tare", Trigger)
+        service = rospy.ServiceProxy("force_torque/" + name, Trigger)
         caller = threading.Thread(target=lambda: replies.append(service()))
         caller.start()
         while caller.is_alive():
@@ -187,6 +191,42 @@ class ForceTorqueNode(unittest.TestCase):
         self.assertEqual(answer.state, ContactObservation.FREE)
         contacts = {message.contact_id for message in self.contact.messages()}
         self.assertEqual(len(contacts), 2, "one before it pressed, one since")
+
+    def test_a_zeroing_that_was_announced_is_no_contact(self):
+        stamp = self.source.send_for(0.05)
+        self.assertTrue(self.contact.wait_for(lambda message: message.header.stamp == stamp))
+        self.contact.clear()
+        self.assertTrue(self.ask("suspend").success)
+        self.source.send_for(0.5, force=(0, 0, 12))
+        self.assertTrue(self.tare(force=(0, 0, 12)).success)
+        stamp = self.source.send_for(0.1, force=(0, 0, 12))
+        answer = self.contact.wait_for(lambda message: message.header.stamp == stamp)
+        self.assertEqual(answer.state, ContactObservation.FREE)
+        self.assertNotIn(ContactObservation.CONTACT, {message.state for message in self.contact.messages()})
+        self.assertTrue(self.ask("suspend", force=(0, 0, 12)).success)
+        self.source.send_for(0.1)
+        self.assertTrue(self.tare().success)
+
+    def test_a_suspension_that_nobody_ends_is_ended_by_a_tare(self):
+        self.assertTrue(self.ask("suspend").success)
+        self.source.send_for(2.5, force=(0, 0, 12))
+        self.contact.clear()
+        stamp = self.source.send_for(1.0, force=(0, 0, 12))
+        answer = self.contact.wait_for(lambda message: message.header.stamp == stamp)
+        self.assertEqual(answer.state, ContactObservation.FREE)
+        self.assertEqual(self.contact.messages()[0].state, ContactObservation.UNSURE)
+        self.assertTrue(self.ask("suspend", force=(0, 0, 12)).success)
+        self.source.send_for(0.1)
+        self.assertTrue(self.tare().success)
+
+    def test_a_suspension_while_something_presses_is_refused(self):
+        self.source.send_for(0.1, force=(0, 0, 12))
+        reply = self.ask("suspend", force=(0, 0, 12))
+        self.assertFalse(reply.success)
+        self.assertIn("presses with 12 N", reply.message)
+        stamp = self.source.send_for(0.1)
+        answer = self.contact.wait_for(lambda message: message.header.stamp == stamp)
+        self.assertEqual(answer.state, ContactObservation.FREE)
 
     def test_what_the_gripper_keeps_after_a_touch_is_told_and_taken_off(self):
         self.source.send_for(0.3)

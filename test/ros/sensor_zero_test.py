@@ -34,12 +34,15 @@ class Driver:
         self.x = 0.0
         self.force = OFFSET
         self.asked = 0
+        self.presses = False  # in the eyes of the listener
+        self.suspended_at = []  # the raw force at each suspension [N]
         self.tared_at = []  # the raw force at each tare [N]
         self._zero_in = None
         self._stop = threading.Event()
         self._wrench = rospy.Publisher("wrench", WrenchStamped, queue_size=100)
         self._observations = ObservationSource()
         self.offer_zero()
+        self._suspend_service = rospy.Service("force_torque/suspend", Trigger, self._suspend)
         self._tare_service = rospy.Service("force_torque/tare", Trigger, self._tare)
         self._thread = threading.Thread(target=self._run)
         self._thread.start()
@@ -54,6 +57,10 @@ class Driver:
         if self.zeroes:
             self._zero_in = LATENCY
         return TriggerResponse(True, "")
+
+    def _suspend(self, _):
+        self.suspended_at.append(self.force)
+        return TriggerResponse(not self.presses, "something presses" if self.presses else "")
 
     def _tare(self, _):
         self.tared_at.append(self.force)
@@ -102,7 +109,9 @@ class SensorZero(unittest.TestCase):
         self.driver.zeroes = True
         self.driver.refuses = False
         self.driver.force = OFFSET
+        self.driver.presses = False
         self.driver.asked = 0
+        self.driver.suspended_at.clear()
         self.driver.tared_at.clear()
 
     def retrieve(self):
@@ -110,7 +119,13 @@ class SensorZero(unittest.TestCase):
         self.assertTrue(self.client.wait_for_result(DEADLINE))
         return self.client.get_result()
 
-    def test_the_tare_waits_until_the_zeroing_has_happened(self):
+    def test_the_listener_knows_before_and_the_tare_waits_until_the_zeroing_has_happened(self):
+        self.retrieve()
+        self.assertEqual(self.driver.suspended_at, [OFFSET])
+        self.assertEqual(self.driver.tared_at, [0.0])
+
+    def test_a_weight_that_was_just_gripped_is_zeroed_although_it_presses(self):
+        self.driver.presses = True
         self.retrieve()
         self.assertEqual(self.driver.tared_at, [0.0])
 

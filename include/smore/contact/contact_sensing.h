@@ -65,6 +65,10 @@ class ContactSensing {
 
   void startTare();
 
+  /// Forgets the bias: nothing is claimed from now on until a tare, since the sensor is about to be
+  /// zeroed.
+  void suspend();
+
   /// Why a tare now would take something that touches for nothing; empty where it would not. A
   /// contact of no more than a residual does not count, nor one that is felt because the driver has
   /// just zeroed the sensor: the raw force is then near zero.

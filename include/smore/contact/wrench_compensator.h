@@ -40,6 +40,9 @@ class WrenchCompensator {
   /// Forgets the bias and collects samples for a new one.
   void startTare();
 
+  /// Forgets the bias, and collects no samples for a new one until a tare is started.
+  void suspend();
+
   bool tared() const { return bias_.has_value(); }
 
   /// Why the last full set of samples was refused; empty if it was not.
@@ -79,6 +82,7 @@ class WrenchCompensator {
   SensorNoise noise_;
   SampleWindow track_delay_;
   std::vector<Wrench> still_;
+  bool suspended_ = false;
   std::optional<BiasTracker> bias_;
   double tare_since_ = 0.0;            ///< time of the first still sample [s]
   double tared_at_ = 0.0;              ///< [s]

@@ -40,9 +40,11 @@ constexpr char kSaveBelief[] = "save_belief";
 constexpr char kLoadBelief[] = "load_belief";
 constexpr char kInsertPrior[] = "insert_prior";
 constexpr char kTare[] = "tare";                         ///< in the listener's private namespace
+constexpr char kSuspend[] = "suspend";                   ///< there too
 constexpr char kIdentifyPayload[] = "identify_payload";  ///< there too
 constexpr char kGuardFault[] = "guard/fault";
 constexpr char kListenerTare[] = "force_torque/tare";
+constexpr char kListenerSuspend[] = "force_torque/suspend";
 constexpr char kListenerIdentifyPayload[] = "force_torque/identify_payload";
 constexpr char kResetSimulator[] = "reset";  ///< in the simulator's private namespace
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "smore/contact/contact_sensing.h"
+#include "smore/ros/sensing_request.h"
+
+namespace smore {
+
+/// What services ask of the sensor's bias, done between two samples: a tare, and that nothing be
+/// claimed because the driver is about to zero the sensor. Such a step in the signal would be a
+/// contact else. Whoever says so may be cancelled before it tares: after 3 s a tare begins by itself.
+class TareRequests {
+ public:
+  /// For the threads that ask; each waits for its answer.
+  SensingRequest& tare() { return tare_; }
+  SensingRequest& suspension() { return suspension_; }
+
+  /// Does what was asked for, before the sample of `time` [s] is processed. The kind of
+  /// smore/SensingEvent that it was, if any. Both are refused while something presses.
+  std::optional<std::uint8_t> apply(double time, ContactSensing* sensing);
+
+  /// Whether a tare was asked for that has not begun.
+  bool tareWaits() const { return asked_at_.has_value(); }
+
+  /// Forgets what has not begun: time went back.
+  void restart();
+
+ private:
+  std::optional<std::uint8_t> suspend(double time, ContactSensing* sensing);
+  std::optional<std::uint8_t> begin(double time, ContactSensing* sensing);
+
+  SensingRequest tare_, suspension_;
+  std::optional<double> asked_at_;         ///< [s]
+  std::optional<double> suspended_until_;  ///< [s]
+};
+
+}  // namespace smore
