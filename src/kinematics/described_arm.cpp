@@ -13,17 +13,18 @@ namespace {
 constexpr double kFarthest = 0.05;   // [m]
 constexpr double kMostTurned = 0.1;  // [rad]
 
-[[noreturn]] void refuse(RobotKind arm, const std::string& joint, const std::string& what) {
+[[noreturn]] void refuse(const Scenario& scenario, const std::string& joint,
+                         const std::string& what) {
   throw InputError("robot_description: joint " + joint + ": " + what + "; it must be that of a " +
-                   robotName(arm) +
-                   " (robot: of the scenario); without robot_description the maker's "
-                   "nominal arm is taken");
+                   robotText(scenario) +
+                   " (robot: of the scenario); without robot_description the nominal "
+                   "arm is taken");
 }
 
-void checkPlace(RobotKind arm, const urdf::Joint& own, const urdf::Joint& described) {
+void checkPlace(const Scenario& scenario, const urdf::Joint& own, const urdf::Joint& described) {
   if (described.parent_link_name != own.parent_link_name ||
       described.child_link_name != own.child_link_name) {
-    refuse(arm, own.name,
+    refuse(scenario, own.name,
            "it joins " + described.parent_link_name + " and " + described.child_link_name +
                ", not " + own.parent_link_name + " and " + own.child_link_name);
   }
@@ -32,22 +33,22 @@ void checkPlace(RobotKind arm, const urdf::Joint& own, const urdf::Joint& descri
   if (distanceBetween(nominal, found) > kFarthest || angleBetween(nominal, found) > kMostTurned) {
     std::ostringstream what;
     what << "it stands " << distanceBetween(nominal, found) << " m and "
-         << angleBetween(nominal, found) << " rad from where the maker's table has it";
-    refuse(arm, own.name, what.str());
+         << angleBetween(nominal, found) << " rad from where the nominal arm has it";
+    refuse(scenario, own.name, what.str());
   }
 }
 
 }  // namespace
 
-UrdfModel describedArm(RobotKind arm, const UrdfModel& description) {
-  UrdfModel urdf = armUrdf(arm);
+UrdfModel describedArm(const Scenario& scenario, const UrdfModel& description) {
+  UrdfModel urdf = armUrdf(scenario);
   const ArmModel model(urdf);
   for (const std::string& name : model.jointNames()) {
     const urdf::JointSharedPtr own = urdf->joints_.at(name);
     const urdf::JointConstSharedPtr described = description->getJoint(name);
-    if (!described) refuse(arm, name, "it is not there");
-    if (!described->limits) refuse(arm, name, "it has no limits");
-    checkPlace(arm, *own, *described);
+    if (!described) refuse(scenario, name, "it is not there");
+    if (!described->limits) refuse(scenario, name, "it has no limits");
+    checkPlace(scenario, *own, *described);
     own->parent_to_joint_origin_transform = described->parent_to_joint_origin_transform;
     *own->limits = *described->limits;
   }

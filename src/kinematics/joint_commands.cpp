@@ -60,7 +60,7 @@ class ArmCommands : public JointCommands {
 }  // namespace
 
 std::unique_ptr<JointCommands> makeJointCommands(const Scenario& scenario) {
-  if (isArm(scenario.robot)) return makeJointCommands(scenario, armUrdf(scenario.robot));
+  if (isArm(scenario.robot)) return makeJointCommands(scenario, armUrdf(scenario));
   return std::make_unique<CartesianCommands>(scenario);
 }
 

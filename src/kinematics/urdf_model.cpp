@@ -55,6 +55,11 @@ UrdfModel loadUrdf(const std::string& file) {
   return parseUrdf(text.str(), file);
 }
 
+UrdfModel armUrdf(const Scenario& scenario) {
+  if (scenario.robot == RobotKind::kUrdf) return loadUrdf(scenario.robot_urdf);
+  return armUrdf(scenario.robot);
+}
+
 Pose toPose(const urdf::Pose& pose) {
   const urdf::Rotation& r = pose.rotation;
   Pose result = Pose::Identity();

@@ -14,6 +14,7 @@ WrenchRange wristSensorRange(RobotKind kind) {
     case RobotKind::kUr16e:
       return {160.0, 15.0};
     case RobotKind::kCartesian:
+    case RobotKind::kUrdf:
       break;
   }
   return {};

@@ -29,23 +29,23 @@ std::string readDescriptionName(ParameterReader* reader) {
   return name;
 }
 
-UrdfModel armByDescription(RobotKind arm, const std::string& name) {
-  if (name.empty()) return armUrdf(arm);
+UrdfModel armByDescription(const Scenario& scenario, const std::string& name) {
+  if (name.empty()) return armUrdf(scenario);
   std::string xml;
   if (!waitForText(name, &xml)) {
     ROS_WARN_STREAM("no parameter '" << name << "': the arm is the maker's nominal "
-                                     << robotName(arm)
+                                     << robotText(scenario)
                                      << ", from which a real one differs by millimetres; is the "
                                         "driver up?");
-    return armUrdf(arm);
+    return armUrdf(scenario);
   }
-  return describedArm(arm, parseUrdf(xml, "the parameter " + name));
+  return describedArm(scenario, parseUrdf(xml, "the parameter " + name));
 }
 
 std::unique_ptr<JointCommands> describedCommands(const Scenario& scenario,
                                                  const std::string& name) {
   if (!isArm(scenario.robot)) return makeJointCommands(scenario);
-  return makeJointCommands(scenario, armByDescription(scenario.robot, name));
+  return makeJointCommands(scenario, armByDescription(scenario, name));
 }
 
 }  // namespace smore

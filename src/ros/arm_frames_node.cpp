@@ -20,11 +20,8 @@ void runArmFrames() {
   reader.boolean("base_in_tf", &base_in_tf);
   const std::string description = readDescriptionName(&reader);
   reader.finish();
-  if (!isArm(scenario->robot)) {
-    throw InputError("scenario " + scenario->name +
-                     ": robot: not an arm; use one of ur3e, ur5e, ur10e, ur16e");
-  }
-  const ArmMotion arm(armByDescription(scenario->robot, description),
+  requireArm(*scenario);
+  const ArmMotion arm(armByDescription(*scenario, description),
                       armMotionParameters(*scenario));
   ros::NodeHandle node;
   constexpr bool kLatched = true;

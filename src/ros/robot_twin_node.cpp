@@ -284,13 +284,10 @@ void runTwin() {
   const auto scenario = readScenarioParameter(&reader);
   requireScenario(&reader);
   reader.finish();
-  if (!isArm(scenario->robot)) {
-    throw InputError("scenario " + scenario->name +
-                     ": robot: not an arm; use one of ur3e, ur5e, ur10e, ur16e");
-  }
-  const UrdfModel arm = calibratedArm(scenario->robot, parameters.calibration, parameters.seed);
+  requireArm(*scenario);
+  const UrdfModel arm = calibratedArm(*scenario, parameters.calibration, parameters.seed);
   ros::param::set("/robot_description",
-                  jointsDescription(parameters.described ? arm : armUrdf(scenario->robot)));
+                  jointsDescription(parameters.described ? arm : armUrdf(*scenario)));
   RobotTwin(parameters, perturbScenario(*scenario, parameters.seed), arm).run();
 }
 

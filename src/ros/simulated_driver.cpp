@@ -112,7 +112,7 @@ class ArmDriver : public SimulatedDriver {
 std::unique_ptr<SimulatedDriver> makeSimulatedDriver(const Scenario& scenario,
                                                      const FrameNames& frames) {
   if (isArm(scenario.robot))
-    return makeArmDriver(scenario, frames, armUrdf(scenario.robot), Vec3::Zero());
+    return makeArmDriver(scenario, frames, armUrdf(scenario), Vec3::Zero());
   return std::make_unique<CartesianDriver>(frames);
 }
 

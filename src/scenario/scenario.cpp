@@ -73,13 +73,28 @@ void readTask(ParameterReader* reader, Scenario* scenario) {
   readChoice(reader, "task", {"retrieve", "reconstruct"}, &scenario->task);
   reader->number("voxel_size", &scenario->voxel_size, kVoxelSize);
   readChoice(reader, "motion", {"planar", "spatial"}, &scenario->motion);
-  readChoice(reader, "robot", robotNames(), &scenario->robot);
   readPoseAt(reader, "start", &scenario->start);
   readPoseAt(reader, "goal", &scenario->goal);
   ifGiven(reader, "goal_tolerance", [scenario](ParameterReader* section) {
     numberIfGiven(section, "position", &scenario->goal_position_tolerance, kPositionTolerance);
     angleIfGiven(section, "angle", &scenario->goal_angle_tolerance, kAngleTolerance);
   });
+}
+
+// Arms that we know are named, others given by the path of their description.
+void readRobot(ParameterReader* reader, const std::string& directory, Scenario* scenario) {
+  const std::string ending = ".urdf";
+  std::string text;
+  if (reader->has("robot")) reader->text("robot", &text);
+  const bool is_path = text.size() > ending.size() &&
+                       text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+  if (!is_path) {
+    std::vector<std::string> choices = robotNames();
+    choices.back() = "FILE" + ending;
+    return readChoice(reader, "robot", choices, &scenario->robot);
+  }
+  scenario->robot = RobotKind::kUrdf;
+  scenario->robot_urdf = text.front() == '/' ? text : directory + text;
 }
 
 void readWorkspace(ParameterReader* reader, Bounds* workspace) {
@@ -178,7 +193,8 @@ void checkInSpace(ParameterReader* reader, const Scenario& scenario) {
 }  // namespace
 
 const std::vector<std::string>& robotNames() {
-  static const std::vector<std::string> names = {"cartesian", "ur3e", "ur5e", "ur10e", "ur16e"};
+  static const std::vector<std::string> names = {"cartesian", "ur3e",  "ur5e",
+                                                 "ur10e",     "ur16e", "urdf"};
   return names;
 }
 
@@ -205,6 +221,16 @@ void requireScene(const Scenario& scenario) {
                    "(robot.launch), give the shapes of both to simulate it");
 }
 
+const std::string& robotText(const Scenario& scenario) {
+  return scenario.robot == RobotKind::kUrdf ? scenario.robot_urdf : robotName(scenario.robot);
+}
+
+void requireArm(const Scenario& scenario) {
+  if (isArm(scenario.robot)) return;
+  throw InputError("scenario " + scenario.name + ": robot: " + robotText(scenario) +
+                   " is not an arm; use one of ur3e, ur5e, ur10e, ur16e, or the path of a URDF");
+}
+
 bool tiltsPayload(const Scenario& scenario) {
   return isArm(scenario.robot) && scenario.motion == Motion::kSpatial;
 }
@@ -214,6 +240,7 @@ Scenario loadScenario(const std::string& file) {
   const std::string directory = file.substr(0, file.find_last_of('/') + 1);
   Scenario scenario;
   readTask(&reader, &scenario);
+  readRobot(&reader, directory, &scenario);
   readScene(&reader, directory, &scenario);
   readWorkspace(&reader, &scenario.workspace);
   readContact(&reader, &scenario);

@@ -110,7 +110,7 @@ std::string toJson(const Scenario& s) {
       {"task", s.task == Task::kRetrieve ? "retrieve" : "reconstruct"},
       {"voxel_size", s.voxel_size},
       {"motion", s.motion == Motion::kPlanar ? "planar" : "spatial"},
-      {"robot", robotName(s.robot)},
+      {"robot", robotText(s)},
       {"start", poseJson(s.start)},
       {"goal", poseJson(s.goal)},
       {"workspace", {{"min", toJson(s.workspace.min)}, {"max", toJson(s.workspace.max)}}},

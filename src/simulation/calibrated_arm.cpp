@@ -35,8 +35,8 @@ void writeJoint(const urdf::Joint& joint, std::ostream* text) {
 
 }  // namespace
 
-UrdfModel calibratedArm(RobotKind arm, double stddev, std::uint64_t seed) {
-  UrdfModel urdf = armUrdf(arm);
+UrdfModel calibratedArm(const Scenario& scenario, double stddev, std::uint64_t seed) {
+  UrdfModel urdf = armUrdf(scenario);
   if (stddev <= 0.0) return urdf;
   std::mt19937_64 random(seed);
   std::normal_distribution<double> error(0.0, stddev);

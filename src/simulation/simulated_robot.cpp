@@ -10,7 +10,7 @@ namespace smore {
 std::unique_ptr<SimulatedRobot> makeSimulatedRobot(const Scenario& scenario, std::uint64_t seed,
                                                    double sensor_cutoff) {
   if (isArm(scenario.robot))
-    return makeSimulatedArm(scenario, armUrdf(scenario.robot), seed, sensor_cutoff);
+    return makeSimulatedArm(scenario, armUrdf(scenario), seed, sensor_cutoff);
   checkStartAndGoalFree(scenario);
   return std::make_unique<CartesianRobot>(scenario, seed, sensor_cutoff);
 }

@@ -12,6 +12,12 @@
 namespace smore {
 namespace {
 
+Scenario scenarioWith(RobotKind arm) {
+  Scenario scenario;
+  scenario.robot = arm;
+  return scenario;
+}
+
 // As ur_description writes it: meshes, no gripper, links that are not ours.
 std::string description() {
   std::ifstream stream(SMORE_SOURCE_DIR "/test/data/robot_description/ur5e_calibrated.urdf");
@@ -28,7 +34,7 @@ std::string replaced(const std::string& from, const std::string& to) {
 
 std::string problemOf(RobotKind arm, const std::string& xml) {
   try {
-    describedArm(arm, parseUrdf(xml, "the test's description"));
+    describedArm(scenarioWith(arm), parseUrdf(xml, "the test's description"));
   } catch (const InputError& error) {
     return error.what();
   }
@@ -39,7 +45,7 @@ std::string problemOf(RobotKind arm, const std::string& xml) {
 TEST(DescribedArm, standsWhereTheDescriptionHasIt) {
   const UrdfModel described = parseUrdf(description(), "the test's description");
   const KinematicTree theirs(described, "base_link");
-  const ArmModel ours(describedArm(RobotKind::kUr5e, described));
+  const ArmModel ours(describedArm(scenarioWith(RobotKind::kUr5e), described));
   const ArmModel nominal(armUrdf(RobotKind::kUr5e));
   const auto tool = static_cast<size_t>(theirs.linkIndex("tool0"));
   ASSERT_EQ(theirs.jointNames().size(), 6U);
@@ -59,7 +65,7 @@ TEST(DescribedArm, standsWhereTheDescriptionHasIt) {
 }
 
 TEST(DescribedArm, keepsTheGripperAndTakesTheLimits) {
-  const ArmModel ours(describedArm(RobotKind::kUr5e, parseUrdf(description(), "")));
+  const ArmModel ours(describedArm(scenarioWith(RobotKind::kUr5e), parseUrdf(description(), "")));
   const ArmModel nominal(armUrdf(RobotKind::kUr5e));
   EXPECT_LT(gapBetween(ours.T_tool_grasp(), nominal.T_tool_grasp()), 1e-12);
   EXPECT_EQ(ours.limits()[0].max, 1.5);  // as the description restricts the first joint
@@ -67,7 +73,7 @@ TEST(DescribedArm, keepsTheGripperAndTakesTheLimits) {
 
 TEST(DescribedArm, refusesAnotherArm) {
   EXPECT_EQ(problemOf(RobotKind::kUr5e, description()), "");
-  EXPECT_NE(problemOf(RobotKind::kUr10e, description()).find("maker's table"), std::string::npos);
+  EXPECT_NE(problemOf(RobotKind::kUr10e, description()).find("nominal arm"), std::string::npos);
   EXPECT_NE(problemOf(RobotKind::kUr5e, replaced("elbow_joint", "joint_3")).find("elbow_joint"),
             std::string::npos);
   EXPECT_NE(

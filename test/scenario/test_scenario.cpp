@@ -59,6 +59,17 @@ class ScenarioTest : public testing::Test {
   TemporaryDirectory directory_;
 };
 
+TEST_F(ScenarioTest, anArmOfAnotherMakeIsGivenByThePathOfItsDescription) {
+  const std::string text = minimal();
+  const Scenario scenario = load(replaced(text, "cartesian", "arms/mine.urdf"));
+  EXPECT_EQ(scenario.robot, RobotKind::kUrdf);
+  EXPECT_EQ(scenario.robot_urdf, directory_.path() + "/arms/mine.urdf");
+  EXPECT_EQ(load(replaced(text, "cartesian", "/arms/mine.urdf")).robot_urdf, "/arms/mine.urdf");
+  EXPECT_NO_THROW(requireArm(scenario));
+  expectProblem(replaced(text, "cartesian", "urdf"), "ur16e, FILE.urdf, got 'urdf'");
+  EXPECT_THROW(requireArm(load(text)), InputError);
+}
+
 TEST_F(ScenarioTest, keysAfterTheGoalHaveDefaults) {
   const Scenario scenario = load(minimal());
   EXPECT_EQ(scenario.name, "small");

@@ -8,6 +8,12 @@
 namespace smore {
 namespace {
 
+Scenario scenarioWith(RobotKind arm) {
+  Scenario scenario;
+  scenario.robot = arm;
+  return scenario;
+}
+
 JointVector configuration() {
   JointVector q;
   q << 0.3, -1.2, 1.5, -1.8, -1.5, 0.7;
@@ -20,23 +26,25 @@ TEST(CalibratedArm, isOffTheNominalOneByMillimetresAndByTheSeed) {
   const Pose nominal = toolOf(armUrdf(RobotKind::kUr5e));
   double squares = 0.0;
   for (int seed = 1; seed <= 20; ++seed) {
-    squares +=
-        std::pow(distanceBetween(toolOf(calibratedArm(RobotKind::kUr5e, 1e-3, seed)), nominal), 2);
+    squares += std::pow(
+        distanceBetween(toolOf(calibratedArm(scenarioWith(RobotKind::kUr5e), 1e-3, seed)), nominal),
+        2);
   }
   // Six joints, three axes of 1 mm each, and turns of 1 mrad at up to 0.9 m.
   EXPECT_GT(std::sqrt(squares / 20), 0.002);
   EXPECT_LT(std::sqrt(squares / 20), 0.006);
-  EXPECT_EQ(gapBetween(toolOf(calibratedArm(RobotKind::kUr5e, 1e-3, 7)),
-                       toolOf(calibratedArm(RobotKind::kUr5e, 1e-3, 7))),
+  EXPECT_EQ(gapBetween(toolOf(calibratedArm(scenarioWith(RobotKind::kUr5e), 1e-3, 7)),
+                       toolOf(calibratedArm(scenarioWith(RobotKind::kUr5e), 1e-3, 7))),
             0.0);
-  EXPECT_EQ(gapBetween(toolOf(calibratedArm(RobotKind::kUr5e, 0.0, 7)), nominal), 0.0);
+  EXPECT_EQ(gapBetween(toolOf(calibratedArm(scenarioWith(RobotKind::kUr5e), 0.0, 7)), nominal),
+            0.0);
 }
 
 TEST(CalibratedArm, isDescribedExactly) {
   for (const RobotKind kind : {RobotKind::kUr3e, RobotKind::kUr16e}) {
-    const UrdfModel arm = calibratedArm(kind, 2e-3, 5);
+    const UrdfModel arm = calibratedArm(scenarioWith(kind), 2e-3, 5);
     const UrdfModel read = parseUrdf(jointsDescription(arm), "jointsDescription");
-    EXPECT_LT(gapBetween(toolOf(describedArm(kind, read)), toolOf(arm)), 1e-9);
+    EXPECT_LT(gapBetween(toolOf(describedArm(scenarioWith(kind), read)), toolOf(arm)), 1e-9);
   }
 }
 

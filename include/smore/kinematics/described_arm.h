@@ -6,13 +6,13 @@
 
 namespace smore {
 
-/// An arm of scenarios with its gripper and primitives (armUrdf), its six joints standing where
+/// The arm of a scenario with its gripper and primitives (armUrdf), its six joints standing where
 /// `description` has them and limited as there: that of the user, with the arm's factory
 /// calibration, as Universal Robots' ur_description makes it. The directions of their axes, what is
 /// fixed between the links, meshes and what else hangs on it are not looked at.
 ///
 /// InputError where a joint is missing, hangs between other links, has no limits, or stands more
-/// than 5 cm or 0.1 rad from where the maker's table has it: it is another arm's then.
-UrdfModel describedArm(RobotKind arm, const UrdfModel& description);
+/// than 5 cm or 0.1 rad from where the arm's own URDF has it: it is another arm's then.
+UrdfModel describedArm(const Scenario& scenario, const UrdfModel& description);
 
 }  // namespace smore

@@ -25,6 +25,9 @@ UrdfModel loadUrdf(const std::string& file);
 /// InputError for the Cartesian robot, which has no description.
 UrdfModel armUrdf(RobotKind arm);
 
+/// The arm of a scenario: one of those, or that of the file which it names. InputError as above.
+UrdfModel armUrdf(const Scenario& scenario);
+
 Pose toPose(const urdf::Pose& pose);
 
 /// The collision shapes of a link, in the link's frame. InputError for a mesh, with the remedy.

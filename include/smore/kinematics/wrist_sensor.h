@@ -14,7 +14,8 @@ struct WrenchRange {
 };
 
 /// Of the sensor in an arm's wrist, from the technical specifications of Universal Robots'
-/// e-Series; of the Cartesian robot, which has none of its own, without end.
+/// e-Series. Without end for the Cartesian robot, which has none, and arms of another make, whose
+/// sensor nobody has told: the guard's ceilings must be set for them.
 WrenchRange wristSensorRange(RobotKind kind);
 
 }  // namespace smore

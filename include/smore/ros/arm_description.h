@@ -14,10 +14,10 @@ namespace smore {
 /// user's description of the arm; empty where the node has none.
 std::string readDescriptionName(ParameterReader* reader);
 
-/// The arm as the parameter of that name describes it (describedArm). The maker's nominal one for
+/// The arm as the parameter of that name describes it (describedArm). The nominal one (armUrdf) for
 /// an empty name, and, with a warning, where the parameter is not set within 5 s. InputError where
 /// it does not describe this arm.
-UrdfModel armByDescription(RobotKind arm, const std::string& name);
+UrdfModel armByDescription(const Scenario& scenario, const std::string& name);
 
 /// The joint commands of the scenario's robot, an arm by that description.
 std::unique_ptr<JointCommands> describedCommands(const Scenario& scenario, const std::string& name);

@@ -13,10 +13,11 @@
 namespace smore {
 
 enum class Task { kRetrieve, kReconstruct };
-enum class RobotKind { kCartesian, kUr3e, kUr5e, kUr10e, kUr16e };
+/// kUrdf: an arm of another make, by its description.
+enum class RobotKind { kCartesian, kUr3e, kUr5e, kUr10e, kUr16e, kUrdf };
 enum class OnContact { kReset, kRetreat };
 
-/// Names of the robots in scenario files, in the order of RobotKind.
+/// Names of the robots in records, in the order of RobotKind.
 const std::vector<std::string>& robotNames();
 
 /// The name of one.
@@ -54,6 +55,7 @@ struct Scenario {
   double voxel_size = 0.03;  ///< [m]
   Motion motion = Motion::kPlanar;
   RobotKind robot = RobotKind::kCartesian;
+  std::string robot_urdf;                 ///< of kUrdf: path of its description
   std::vector<Shape> object;              ///< poses in the object frame; empty: a task
   std::vector<Shape> environment;         ///< poses in the world frame
   Pose start = Pose::Identity();          ///< T_world_object
@@ -92,6 +94,12 @@ Bounds regionOfContacts(const Scenario& scenario);
 
 /// InputError where the scenario is a task alone, which nobody can simulate.
 void requireScene(const Scenario& scenario);
+
+/// The robot as a scenario file names it: by its name, or the path of its description.
+const std::string& robotText(const Scenario& scenario);
+
+/// InputError where the robot is no arm.
+void requireArm(const Scenario& scenario);
 
 /// Whether the robot turns what its sensor carries against gravity, so that its weight must be
 /// known: an arm's motions in space. What moves in the plane is tared, and the simulated Cartesian
