@@ -21,8 +21,7 @@ void runArmFrames() {
   const std::string description = readDescriptionName(&reader);
   reader.finish();
   requireArm(*scenario);
-  const ArmMotion arm(armByDescription(*scenario, description),
-                      armMotionParameters(*scenario));
+  const ArmMotion arm(armByDescription(*scenario, description), armMotionParameters(*scenario));
   ros::NodeHandle node;
   constexpr bool kLatched = true;
   const ros::Publisher publisher =

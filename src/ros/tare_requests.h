@@ -11,7 +11,8 @@ namespace smore {
 
 /// What services ask of the sensor's bias, done between two samples: a tare, and that nothing be
 /// claimed because the driver is about to zero the sensor. Such a step in the signal would be a
-/// contact else. Whoever says so may be cancelled before it tares: after 3 s a tare begins by itself.
+/// contact else. Whoever says so may be cancelled before it tares: after 3 s a tare begins by
+/// itself.
 class TareRequests {
  public:
   /// For the threads that ask; each waits for its answer.

@@ -8,8 +8,9 @@
 
 namespace smore {
 
-/// The arm of a scenario as it came out of its factory: each of its six joints off by a normal error of `stddev`
-/// [m] on each axis and [rad] about each, drawn from the seed; the maker's nominal one for 0.
+/// The arm of a scenario as it came out of its factory: each of its six joints off by a normal
+/// error of `stddev` [m] on each axis and [rad] about each, drawn from the seed; the maker's
+/// nominal one for 0.
 UrdfModel calibratedArm(const Scenario& scenario, double stddev, std::uint64_t seed);
 
 /// A robot description with the arm's six joints and their links and nothing else, as text: what a
