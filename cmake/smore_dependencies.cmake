@@ -31,6 +31,10 @@ if(NOT DEFINED Python3_EXECUTABLE)
 endif()
 find_package(rosbag_storage REQUIRED)
 
+# For the panel in rviz, which is left out where the headers of rviz are not installed.
+find_package(rviz QUIET)
+find_package(Qt5 QUIET COMPONENTS Widgets Test)
+
 # Of Bullet's extras, but free of Bullet.
 find_path(HACD_INCLUDE_DIR HACD/hacdHACD.h PATH_SUFFIXES bullet)
 find_library(HACD_LIBRARY HACD-float64)

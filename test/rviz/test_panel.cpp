@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A person who has nothing but the panel: clicks on its buttons, with the nodes running.
+#include <gtest/gtest.h>
+#include <octomap_msgs/Octomap.h>
+#include <ros/topic.h>
+#include <std_srvs/Trigger.h>
+
+#include <QApplication>
+#include <QRegularExpression>
+#include <QtTest>
+#include <atomic>
+#include <future>
+
+#include "../../src/rviz/retrieval_widget.h"
+#include "smore/ros/names.h"
+
+namespace smore {
+namespace {
+
+constexpr int kDeadline = 40000;  // [ms]; only failing tests wait so long
+
+/// The panel of the nodes in one namespace.
+class TestedPanel {
+ public:
+  explicit TestedPanel(const std::string& space)
+      : monitor_(ros::NodeHandle(space)),
+        commands_(ros::NodeHandle(space)),
+        widget_(&monitor_, &commands_) {
+    widget_.show();
+  }
+
+  QString text(const char* label) const { return widget_.findChild<QLabel*>(label)->text(); }
+
+  bool shows(const char* label, const QString& words) const {
+    return QTest::qWaitFor([&] { return text(label).contains(words); }, kDeadline);
+  }
+
+  QPushButton* button(const char* name) const { return widget_.findChild<QPushButton*>(name); }
+
+  bool click(const char* name) const {
+    if (!QTest::qWaitFor([&] { return button(name)->isEnabled(); }, kDeadline)) return false;
+    QTest::mouseClick(button(name), Qt::LeftButton);
+    return true;
+  }
+
+  template <typename Child>
+  Child* child(const char* name) const {
+    return widget_.findChild<Child*>(name);
+  }
+
+ private:
+  RetrievalMonitor monitor_;
+  RetrievalCommands commands_;
+  RetrievalWidget widget_;
+};
+
+/// The object at the start of a simulation, and maps of nothing.
+class Panel : public testing::Test {
+ protected:
+  void SetUp() override {
+    const ros::NodeHandle node("smore");
+    std_srvs::Trigger call;
+    ASSERT_TRUE(ros::service::waitForService("/smore/simulator/reset", kDeadline));
+    ASSERT_TRUE(ros::service::call("/smore/simulator/reset", call));
+    ASSERT_TRUE(panel_.shows("phase", "waiting for a goal"));
+    ASSERT_TRUE(panel_.shows("sensor", "tared"));
+    ASSERT_TRUE(panel_.click(RetrievalCommands::kReset));
+    ASSERT_TRUE(panel_.shows("answer", "all observations are forgotten"));
+  }
+
+  TestedPanel panel_{"smore"};
+};
+
+TEST_F(Panel, BringsTheObjectToTheGoal) {
+  ASSERT_TRUE(panel_.click(RetrievalCommands::kRetrieve));
+  ASSERT_TRUE(panel_.shows("phase", "moving along the way"));
+  EXPECT_FALSE(panel_.button(RetrievalCommands::kRetrieve)->isEnabled()) << "it has a goal";
+  ASSERT_TRUE(panel_.shows("outcome", "reached")) << panel_.text("outcome").toStdString();
+  const QRegularExpression contacts("contacts <b>[1-9]");
+  EXPECT_TRUE(contacts.match(panel_.text("progress")).hasMatch())
+      << panel_.text("progress").toStdString();
+  const auto now = ros::topic::waitForMessage<smore_msgs::ContactObservation>("/smore/contact",
+                                                                              ros::Duration(10));
+  ASSERT_TRUE(now);
+  EXPECT_NEAR(now->pose.position.x, -0.3, 0.03);
+}
+
+TEST_F(Panel, StopsARetrievalThatHasJustBegunAndOneThatMoves) {
+  const auto stop = [&] {
+    QTest::mouseClick(panel_.button(RetrievalCommands::kStop), Qt::LeftButton);
+    EXPECT_TRUE(panel_.shows("phase", "waiting for a goal"));
+    EXPECT_TRUE(panel_.shows("outcome", "stopped by the user"))
+        << panel_.text("outcome").toStdString();
+    EXPECT_TRUE(panel_.shows("answer", "stop: the robot was told to stop"));
+  };
+  ASSERT_TRUE(panel_.click(RetrievalCommands::kRetrieve));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return panel_.text("phase") != "waiting for a goal"; }, kDeadline));
+  stop();
+  ASSERT_TRUE(panel_.click(RetrievalCommands::kRetrieve));
+  ASSERT_TRUE(panel_.shows("phase", "moving along the way"));
+  stop();
+}
+
+TEST_F(Panel, ShowsHowTheNodesFare) {
+  ros::NodeHandle node;
+  const boost::function<void(const octomap_msgs::Octomap::ConstPtr&)> look = [](const auto&) {};
+  const ros::Subscriber looks[] = {node.subscribe("/smore/world/octomap_binary", 1, look),
+                                   node.subscribe("/smore/object/octomap_binary", 1, look)};
+  EXPECT_TRUE(panel_.shows("wrench", "500 Hz"));
+  EXPECT_TRUE(panel_.shows("sensor", "the bias known to 0.00 N"));
+  EXPECT_TRUE(panel_.shows("maps", "world 0, object 0 voxels"));
+  EXPECT_TRUE(panel_.shows("plans", "OK"));
+  EXPECT_TRUE(panel_.shows("guard", "none"));
+}
+
+TEST_F(Panel, PlansWithoutAMotion) {
+  ASSERT_TRUE(panel_.click(RetrievalCommands::kPlan));
+  EXPECT_TRUE(panel_.shows("answer", "plan only: touches with probability"))
+      << panel_.text("answer").toStdString();
+  EXPECT_TRUE(panel_.shows("plans", "the last plan took"));
+  EXPECT_EQ(panel_.text("phase"), "waiting for a goal");
+}
+
+TEST_F(Panel, TaresAndSavesAndLoadsWhatTheMapsAreMadeOf) {
+  ASSERT_TRUE(panel_.click(RetrievalCommands::kTare));
+  EXPECT_TRUE(panel_.shows("answer", "tare: tared"));
+  panel_.child<QLineEdit>("file")->setText("panel_test");
+  panel_.child<QCheckBox>("overwrite")->setChecked(true);
+  ASSERT_TRUE(panel_.click(RetrievalCommands::kSave));
+  EXPECT_TRUE(panel_.shows("answer", "panel_test.evidence")) << panel_.text("answer").toStdString();
+  ASSERT_TRUE(panel_.click(RetrievalCommands::kLoad));
+  EXPECT_TRUE(panel_.shows("answer", "load: ")) << panel_.text("answer").toStdString();
+}
+
+TEST(PanelAlone, StopNeverWaitsForAnotherCall) {
+  ros::NodeHandle node("fake");
+  std::promise<void> release;
+  std::atomic<bool> tares{false}, stopped{false};
+  using Trigger = std_srvs::Trigger;
+  const boost::function<bool(Trigger::Request&, Trigger::Response&)> tare =
+      [&, released = release.get_future().share()](auto& /*request*/, auto& /*response*/) {
+        tares = true;
+        released.wait();
+        return true;
+      };
+  const boost::function<bool(Trigger::Request&, Trigger::Response&)> stop = [&](auto& /*request*/,
+                                                                                auto& response) {
+    response.message = "stopped";
+    return stopped = true;
+  };
+  const ros::ServiceServer servers[] = {node.advertiseService(names::kListenerTare, tare),
+                                        node.advertiseService(names::kStop, stop)};
+  const TestedPanel panel("fake");
+  ASSERT_TRUE(panel.click(RetrievalCommands::kTare));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tares.load(); }, kDeadline));
+  ASSERT_TRUE(panel.click(RetrievalCommands::kStop));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return stopped.load(); }, kDeadline));
+  EXPECT_TRUE(panel.shows("answer", "stop: stopped"));
+  EXPECT_FALSE(panel.button(RetrievalCommands::kTare)->isEnabled()) << "it runs still";
+  release.set_value();
+  EXPECT_TRUE(panel.shows("answer", "tare"));
+}
+
+TEST(PanelAlone, AsksTheGuardToStopWhereTheRetrievalDoesNotAnswer) {
+  ros::NodeHandle node("fake");
+  std::promise<void> release;
+  using Trigger = std_srvs::Trigger;
+  const boost::function<bool(Trigger::Request&, Trigger::Response&)> hangs =
+      [released = release.get_future().share()](auto& /*request*/, auto& /*response*/) {
+        released.wait();
+        return true;
+      };
+  std::atomic<bool> stopped{false};
+  const boost::function<bool(Trigger::Request&, Trigger::Response&)> stop =
+      [&](auto& /*request*/, auto& /*response*/) { return stopped = true; };
+  const ros::ServiceServer servers[] = {node.advertiseService(names::kStop, hangs),
+                                        node.advertiseService(names::kGuardStop, stop)};
+  const TestedPanel panel("fake");
+  ASSERT_TRUE(panel.click(RetrievalCommands::kStop));
+  EXPECT_TRUE(panel.shows("answer", "stop: the retrieval does not answer: by the guard"));
+  EXPECT_TRUE(stopped);
+  release.set_value();
+}
+
+TEST(PanelAlone, SaysWhoIsNotThere) {
+  const TestedPanel panel("nobody");
+  EXPECT_TRUE(panel.shows("phase", "no retrieval node"));
+  EXPECT_TRUE(panel.shows("maps", "STALE"));
+  ASSERT_TRUE(panel.click(RetrievalCommands::kStop));
+  EXPECT_TRUE(panel.shows("answer", "nobody answers"));
+  ASSERT_TRUE(panel.click(RetrievalCommands::kRetrieve));
+  EXPECT_TRUE(panel.shows("answer", "nobody takes goals"));
+  ASSERT_TRUE(panel.click(RetrievalCommands::kTare));
+  EXPECT_TRUE(panel.shows("answer", "does not answer; is its node up?"));
+}
+
+}  // namespace
+}  // namespace smore
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "panel_test");
+  const ros::NodeHandle keeps_ros_running;
+  ros::AsyncSpinner spinner(4);  // for the services of the tests, of which some wait
+  spinner.start();
+  const QApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}
