@@ -69,6 +69,14 @@ octomap_msgs::Octomap fullOctomap(const VoxelGrid& grid, const std_msgs::Header&
   return message;
 }
 
+octomap_msgs::OctomapWithPose posedOctomap(const VoxelGrid& grid, const std_msgs::Header& header) {
+  octomap_msgs::OctomapWithPose message;
+  message.header = header;
+  message.origin.orientation.w = 1.0;
+  message.octomap = fullOctomap(grid, header);
+  return message;
+}
+
 octomap_msgs::Octomap binaryOctomap(const VoxelGrid& grid, const std_msgs::Header& header) {
   const auto tree = toOctree(grid);
   octomap_msgs::Octomap message = emptyOctomap(*tree, header, true);

@@ -10,7 +10,7 @@ import unittest
 
 import rospy
 import rostest
-from octomap_msgs.msg import Octomap
+from octomap_msgs.msg import Octomap, OctomapWithPose
 from octomap_msgs.srv import GetOctomap
 from sensor_msgs.msg import PointCloud2
 from std_srvs.srv import Trigger
@@ -95,6 +95,17 @@ class MappingNode(unittest.TestCase):
                 self.assertIsNotNone(published, name)
                 self.assertEqual(published.header.stamp, served.header.stamp)
                 topic.close()
+
+    def test_octomaps_come_with_the_pose_that_planning_scenes_ask_for(self):
+        self.assertTrue(self.maps_at(self.source.touch()).success)
+        for space in ("world", "object"):
+            served = rospy.ServiceProxy(space + "/octomap_full", GetOctomap)().map
+            topic = Recorder(space + "/octomap_with_pose", OctomapWithPose)
+            self.addCleanup(topic.close)
+            posed = topic.wait_for(lambda message, s=served: message.octomap.data == s.data)
+            self.assertIsNotNone(posed, space)
+            self.assertEqual(posed.header.frame_id, space)
+            self.assertEqual(posed.origin.orientation.w, 1.0)
 
     def test_the_likeliest_voxels_come_as_cloud_and_markers(self):
         self.maps_at(self.source.touch())

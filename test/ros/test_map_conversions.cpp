@@ -49,6 +49,15 @@ TEST(MapConversions, FullOctomapsKeepEveryVoxelAndItsProbability) {
   }
 }
 
+TEST(MapConversions, PosedOctomapsAreFullOnesAtTheOriginOfTheirFrame) {
+  const octomap_msgs::OctomapWithPose message = posedOctomap(sampleGrid(), headerOf("object"));
+  EXPECT_EQ(message.header.frame_id, "object");
+  EXPECT_EQ(message.header.stamp.toSec(), 4.5);
+  EXPECT_EQ(message.origin.position.x, 0.0);
+  EXPECT_EQ(message.origin.orientation.w, 1.0);
+  EXPECT_EQ(message.octomap.data, fullOctomap(sampleGrid(), headerOf("object")).data);
+}
+
 TEST(MapConversions, EmptyMapsComeBackEmpty) {
   const Result<VoxelGrid> back = fromMessage(fullOctomap(VoxelGrid(0.05), headerOf("object")));
   ASSERT_TRUE(back);
@@ -78,6 +87,8 @@ TEST(MapConversions, TypesAndChecksumsAreThoseOfOctomapMsgs) {
                "9a45536b45c5e409cd49f04bb2d9999f");
   EXPECT_STREQ(ros::service_traits::datatype<octomap_msgs::GetOctomap>(),
                "octomap_msgs/GetOctomap");
+  EXPECT_STREQ(ros::message_traits::md5sum<octomap_msgs::OctomapWithPose>(),
+               "20b380aca6a508a657e95526cddaf618");
   EXPECT_STREQ(ros::service_traits::md5sum<octomap_msgs::GetOctomap>(),
                "be9d2869d24fe40d6bc21ac21f6bb2c5");
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <octomap_msgs/Octomap.h>
+#include <octomap_msgs/OctomapWithPose.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/Header.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -14,6 +15,9 @@ namespace smore {
 
 /// The grid as an octree with its probabilities, as octomap clients read it.
 octomap_msgs::Octomap fullOctomap(const VoxelGrid& grid, const std_msgs::Header& header);
+
+/// The full octree at the origin of its frame, as planning scenes take it.
+octomap_msgs::OctomapWithPose posedOctomap(const VoxelGrid& grid, const std_msgs::Header& header);
 
 /// The grid as an octree of occupied (P >= 0.5) and free voxels only.
 octomap_msgs::Octomap binaryOctomap(const VoxelGrid& grid, const std_msgs::Header& header);

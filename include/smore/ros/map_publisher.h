@@ -22,13 +22,14 @@ class MapPublisher {
     map_node.setCallbackQueue(node.getCallbackQueue());
     full_.open<octomap_msgs::Octomap>(&map_node, names::kOctomapFull);
     binary_.open<octomap_msgs::Octomap>(&map_node, names::kOctomapBinary);
+    posed_.open<octomap_msgs::OctomapWithPose>(&map_node, names::kOctomapWithPose);
     cloud_.open<sensor_msgs::PointCloud2>(&map_node, names::kPointCloud);
     cells_.open<visualization_msgs::MarkerArray>(&map_node, names::kOccupiedCells);
   }
 
   bool isDue(std::uint64_t revision) const {
-    return full_.isDue(revision) || binary_.isDue(revision) || cloud_.isDue(revision) ||
-           cells_.isDue(revision);
+    return full_.isDue(revision) || binary_.isDue(revision) || posed_.isDue(revision) ||
+           cloud_.isDue(revision) || cells_.isDue(revision);
   }
 
   /// Voxels of the last map that was published; nothing before.
@@ -39,6 +40,7 @@ class MapPublisher {
     const std_msgs::Header header = headerAt(stamp);
     full_.send(revision, [&] { return fullOctomap(grid, header); });
     binary_.send(revision, [&] { return binaryOctomap(grid, header); });
+    posed_.send(revision, [&] { return posedOctomap(grid, header); });
     cloud_.send(revision, [&] { return occupiedCloud(grid, header); });
     cells_.send(revision, [&] { return cellMarkers(grid, colors_, min_probability_, header); });
   }
@@ -76,7 +78,7 @@ class MapPublisher {
   MapColors colors_;
   double min_probability_;
   std::optional<std::size_t> voxels_;
-  Topic full_, binary_, cloud_, cells_;
+  Topic full_, binary_, posed_, cloud_, cells_;
 };
 
 }  // namespace smore

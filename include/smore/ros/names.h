@@ -29,6 +29,7 @@ constexpr char kWorldMap[] = "world";
 constexpr char kObjectMap[] = "object";
 constexpr char kOctomapFull[] = "octomap_full";
 constexpr char kOctomapBinary[] = "octomap_binary";
+constexpr char kOctomapWithPose[] = "octomap_with_pose";
 constexpr char kPointCloud[] = "octomap_point_cloud_centers";
 constexpr char kOccupiedCells[] = "occupied_cells_vis_array";
 constexpr char kContactLines[] = "contact_lines";
