@@ -55,7 +55,6 @@ class RobotTwin(unittest.TestCase):
         cls.play = rospy.ServiceProxy("robot_twin/play", Trigger)
         cls.cut = rospy.ServiceProxy("robot_twin/cut_network", SetBool)
         cls.run_controller = rospy.ServiceProxy("robot_twin/run_controller", SetBool)
-        cls.protective_stop = rospy.ServiceProxy("robot_twin/protective_stop", Trigger)
 
     def begin_motion(self):
         self.joints.clear()
@@ -111,12 +110,16 @@ class RobotTwin(unittest.TestCase):
         self.assertTrue(self.cut(False).success)
         return seen
 
-    def test_a_protective_stop_latches_and_nothing_moves_before_a_new_goal(self):
-        self.begin_motion()
-        self.assertTrue(self.protective_stop().success)
-        self.ends_with("safety mode is 3 (protective stop)")
-        self.assertFalse(self.clear().success, "cleared while the robot does not let it move")
-        self.go_on()
+    def test_a_halt_of_the_robot_latches_and_nothing_moves_before_a_new_goal(self):
+        for service, words in (("protective_stop", "safety mode is 3 (protective stop)"),
+                               ("emergency_stop", "safety mode is 7 (robot emergency stop)"),
+                               ("end_program", "the robot's program does not run")):
+            with self.subTest(service):
+                self.begin_motion()
+                self.assertTrue(rospy.ServiceProxy("robot_twin/" + service, Trigger)().success)
+                self.ends_with(words)
+                self.assertFalse(self.clear().success, "cleared while the robot does not let it move")
+                self.go_on()
 
     def send_goal(self, goal):
         """Returns the list that its phases will be in."""
@@ -129,7 +132,7 @@ class RobotTwin(unittest.TestCase):
         self.assertTrue(self.reset_maps().success)
 
     def touch(self):
-        """Sends a goal; the first observation of its first contact. Before it moves the zeroing may be felt as one."""
+        """Sends a goal; the first observation of its first contact once it moves."""
         self.forget()
         phases = self.send_goal(RetrieveGoal())
         self.assertTrue(wait_until(lambda: "moving" in phases), "it does not move")
