@@ -239,7 +239,7 @@ std::optional<LineOfAction> ContactSensing::averagedLine(const Vec3& sensor_obje
       std::hypot(parameters_.noise.torque_stddev / std::sqrt(average.count()), 0.5 * swing.torque);
   // The force's error e turns the line about its point p nearest to the sensor, and moves this one
   // along itself by -p e / F; the torque's error shifts it across by e / F. Away from p the turn
-  // shifts the line too.
+  // shifts the line too: docs/sensing.md (S2), docs/sensing.md (S3).
   result.direction_stddev = force_stddev / result.force;
   const Vec3 lever = result.point - sensor_object;
   result.offset_stddev =

@@ -34,7 +34,7 @@ struct Fit {
   double residual = 0.0;  // root mean square
 };
 
-/// Three equations a pose: observed = bias + response * unknowns.
+/// Three equations a pose, docs/sensing.md (S4): observed = bias + response * unknowns.
 class LeastSquares {
  public:
   LeastSquares(size_t poses, Eigen::Index unknowns)

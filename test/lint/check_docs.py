@@ -1,18 +1,22 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Relative links of the Markdown pages lead to files, scripts and scenes that they name exist, prose is at most 120
-columns wide, and quoted numbers are those of docs/benchmarks.md.
+columns wide, quoted numbers are those of docs/benchmarks.md, and each numbered equation stands once and, where the
+code cites it, is there.
 
 A number is quoted as [6.6](docs/benchmarks.md "s_shape_perturbed smore mean"): first cells of the row, and the column.
+An equation ends with its number, as in (B4), and is cited as docs/belief.md (B4).
 """
 import re
 
-from project import ROOT, files, report, say
+from project import ROOT, code_files, files, report, say
 
 COLUMNS = 120  # of prose: a row of a table, a picture or a command stands in one line
 LINK = re.compile(r"\]\((?!https?:|#|mailto:)([^)#\s]+)")
 NAMED = re.compile(r"\b(?:scripts|config|launch|python|docs|src|include|test|benchmark)/[\w./-]*\w")
 QUOTE = re.compile(r'\[([^\]]+)\]\([^)\s]*benchmarks\.md "([^"]+)"\)')
+EQUATION = re.compile(r"^    .*\(([A-Z]\d+)\)$", re.MULTILINE)
+CITED = re.compile(r"(docs/\w+\.md) \(([A-Z]\d+)\)")
 
 PLACEHOLDER = re.compile(r"/[A-Z_]{2,}(\.\w+)?$")  # config/NODE.yaml: one of several
 
@@ -67,10 +71,25 @@ def problems(path, benchmarks):
                 yield say(path, number, f"'{key}' is {benchmarks.get(key)} in docs/benchmarks.md, not {quoted}")
 
 
+def equation_problems():
+    """Numbers that two equations have, and citations in the code of none."""
+    pages = {}
+    for page in files(("docs",), "*.md"):
+        for number in EQUATION.findall(page.read_text()):
+            if number in pages:
+                yield say(page, 1, f"equation ({number}) stands in {pages[number]} too")
+            pages[number] = str(page.relative_to(ROOT))
+    for path in code_files(("include", "src")):
+        for page, number in CITED.findall(path.read_text()):
+            if pages.get(number) != page:
+                yield say(path, 1, f"equation ({number}) does not stand in {page}")
+
+
 def main():
     paths = sorted(ROOT.glob("*.md")) + files(("docs", "examples"), "*.md")
     benchmarks = numbers((ROOT / "docs/benchmarks.md").read_text())
-    report([finding for path in paths for finding in problems(path, benchmarks)], len(paths))
+    findings = [finding for path in paths for finding in problems(path, benchmarks)]
+    report(findings + list(equation_problems()), len(paths))
 
 
 if __name__ == "__main__":

@@ -20,7 +20,8 @@ struct SensorNoise {
 };
 
 /// Probability that a vector of three independent standard normal components is longer than
-/// `length` (the tail of Maxwell's distribution); 1 for a length that is not positive.
+/// `length` (the tail of Maxwell's distribution), docs/sensing.md (S1); 1 for a length that is not
+/// positive.
 double maxwellTail(double length);
 
 /// The length with maxwellTail(length) = `probability`, in (0, 1].

@@ -14,7 +14,7 @@ namespace smore {
 std::optional<Vec3> truePlace(const ContactObservation& contact, const TrialTruth& truth);
 
 /// Logarithm of the density [nat, per metre] that a belief gives the true place of a contact along
-/// its line. Of N worlds with weights w,
+/// its line, docs/scoring.md (E4). Of N worlds with weights w,
 ///
 ///   p(t) = [N sum_m w_m K(t - t_m) + 1/L] / (N + 1)
 ///

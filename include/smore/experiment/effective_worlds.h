@@ -21,8 +21,8 @@ struct SeedScatter {
 /// seeds, mean (1 - mean) + v / S estimates p (1 - p) without bias.
 SeedScatter scatterOf(const std::vector<double>& shares);
 
-/// The number of independent worlds that would scatter as much; nothing where nothing scatters
-/// by more than rounding.
+/// The number of independent worlds that would scatter as much, docs/scoring.md (E5); nothing where
+/// nothing scatters by more than rounding.
 std::optional<double> effectiveWorlds(const SeedScatter& scatter);
 
 }  // namespace smore

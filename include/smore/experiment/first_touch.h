@@ -27,8 +27,9 @@ std::vector<Path> legsOf(const Path& path, const MotionSpeed& speed);
 /// The leg on which a pose of the path lies, or the nearest one; the first of equals.
 int legAt(const std::vector<Path>& legs, const Pose& pose, const MotionSpeed& speed);
 
-/// Logarithm of the probability [nat] of what came of a motion: that it first touched on the leg
-/// `touched`, or nowhere. `survival`: for each leg, the probability that none up to it touches.
+/// Logarithm of the probability [nat] of what came of a motion, docs/scoring.md (E3): that it first
+/// touched on the leg `touched`, or nowhere. `survival`: for each leg, the probability that none up
+/// to it touches.
 double logFirstTouch(const std::vector<double>& survival, const std::optional<int>& touched);
 
 /// The same for one who knows no more than the `risk` of a touch, at all legs alike.

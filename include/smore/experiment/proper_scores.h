@@ -12,13 +12,14 @@ struct Forecast {
   bool happened = false;
 };
 
-/// Mean of -log of the probability of what came about [nat]; smaller is better. Infinite where
-/// something came about that was stated to be impossible; nothing without forecasts.
+/// Mean of -log of the probability of what came about [nat], docs/scoring.md (E1); smaller is
+/// better. Infinite where something came about that was stated to be impossible; nothing without
+/// forecasts.
 std::optional<double> logLoss(const std::vector<Forecast>& forecasts);
 
-/// The same, for one who always states the base rate. Each event's rate is that of all others, with
-/// Jeffreys' prior: (k + 1/2) / n where k of the other n - 1 happened, so that no event tells its
-/// own outcome.
+/// The same, for one who always states the base rate, docs/scoring.md (E2). Each event's rate is
+/// that of all others, with Jeffreys' prior: (k + 1/2) / n where k of the other n - 1 happened, so
+/// that no event tells its own outcome.
 std::optional<double> constantLogLoss(const std::vector<Forecast>& forecasts);
 
 /// Probability that of two events, one of which happened, that one had the larger probability;

@@ -40,7 +40,8 @@ struct PointArray {
 };
 
 /// All places where one contact may have been, as draws from what is known of it by itself: where
-/// on its line of action, and where the line was, given the uncertainty that it states.
+/// on its line of action, and where the line was, given the uncertainty that it states;
+/// docs/belief.md (B1), docs/belief.md (B2).
 struct ContactHypotheses {
   int count = 0;      ///< places in use, at most kCandidates
   PointArray object;  ///< centres of the balls on the object, in the object frame [m]

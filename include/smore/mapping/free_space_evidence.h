@@ -17,7 +17,7 @@ namespace smore {
 using CandidateBits = std::array<std::uint64_t, kCandidates / 64>;
 
 /// Which places of two contacts contradict each other: the object's ball of the one and the world's
-/// ball of the other overlapped at a pose that was free.
+/// ball of the other overlapped at a pose that was free: docs/belief.md (B3).
 struct ConflictTable {
   std::array<CandidateBits, kCandidates> by_object{};  ///< for a place on the object: world places
   std::array<CandidateBits, kCandidates> by_world{};   ///< for a place in the world: object places

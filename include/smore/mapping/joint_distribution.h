@@ -48,15 +48,15 @@ struct JointSample {
   PriorMask believed = 0;
 };
 
-/// The joint distribution of the places of all contacts, given all free space (docs/belief.md).
+/// The joint distribution of the places of all contacts, given all free space: docs/belief.md (B4).
 ///
 ///   P(s) ~ prod_k prior(s_k) * prod_k [(1 + A_k / a)(1 + B_k / b)]^exponent * exp(-cost *
 ///   conflicts)
 ///
 /// A_k is the sum of the object's AttractionKernel over the other contacts, B_k that of the
 /// world's. One normalised distribution: the conditionals that are sampled are its own. With prior
-/// knowledge each piece of it is true or not, with its odds; what is true pulls touches to its
-/// surfaces (in A_k and B_k) and may be contradicted, like free space.
+/// knowledge, docs/belief.md (B7), each piece of it is true or not, with its odds; what is true
+/// pulls touches to its surfaces (in A_k and B_k) and may be contradicted, like free space.
 class JointDistribution {
  public:
   /// Views that must outlive this. Contacts in the order of `evidence` and of `prior`.
@@ -86,9 +86,9 @@ class JointDistribution {
 ///   kPoint     1 / (1 + (d / h)^2)^2, less its value at d = 6 h, so that it ends there
 ///   kSurface   1 / ((1 + (z / h)^2)^2 (1 + (d / h)^2))
 ///
-/// where z^2 is the mean square of the heights of each touch above the other's tangent plane: along
-/// a surface the kernel falls as the inverse square of the distance, so that no size of surfaces is
-/// preferred.
+/// as in docs/belief.md (B5) and docs/belief.md (B6), where z^2 is the mean square of the heights
+/// of each touch above the other's tangent plane: along a surface the kernel falls as the inverse
+/// square of the distance, so that no size of surfaces is preferred.
 class AttractionKernel {
  public:
   explicit AttractionKernel(const AttractionParameters& parameters)

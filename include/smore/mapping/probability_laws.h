@@ -12,7 +12,7 @@ struct VoxelPair {
 };
 
 /// Occupancies after a contact that happened at one or more of `pairs`, given independent prior
-/// probabilities (paper, equations 7 and 9):
+/// probabilities (paper, equations 7 and 9; docs/laws.md (L2)):
 ///
 ///   p' = (p q + (1 - Pi / (1 - p q)) p (1 - q)) / (1 - Pi),   Pi = product over the pairs of (1 -
 ///   p q)
@@ -25,7 +25,10 @@ struct VoxelPair {
 /// itself: the other pairs keep their priors.
 std::vector<VoxelPair> contactLaw(const std::vector<VoxelPair>& pairs);
 
-/// Occupancies after "this pair does not touch" (paper, equation 11): p' = p (1 - q) / (1 - p q),
+/// Occupancies after "this pair does not touch" (paper, equation 11; docs/laws.md (L3)):
+///
+///   p' = p (1 - q) / (1 - p q),
+///
 /// and the same with p and q exchanged, both from the priors. A pair with p q = 1 contradicts the
 /// observation and comes back as it is.
 VoxelPair freeSpaceLaw(const VoxelPair& pair);

@@ -20,10 +20,10 @@ struct SurfaceTouch {
 };
 
 /// How likely each size of the surfaces is that were touched, given where: by how well each touch
-/// is foreseen by the others if surfaces go on from touches as far as that (docs/belief.md). The
-/// mean over all sizes of how much one touch foresees another is the AttractionKernel of surfaces,
-/// at distances well above its scale; `attraction` is that of surfaces. Of sum 1; all equal for
-/// less than two touches. `sizes` must not fall.
+/// is foreseen by the others if surfaces go on from touches as far as that: docs/belief.md (B8).
+/// The mean over all sizes of how much one touch foresees another is the AttractionKernel of
+/// surfaces, at distances well above its scale; `attraction` is that of surfaces. Of sum 1; all
+/// equal for less than two touches. `sizes` must not fall.
 std::array<double, kHypotheses> sizeProbabilities(const std::vector<SurfaceTouch>& touches,
                                                   const std::array<double, kHypotheses>& sizes,
                                                   const AttractionParameters& attraction);

@@ -29,12 +29,13 @@ class ContactRisk {
   /// Probability that a motion along `path` ends at a contact: with what is known, or with matter
   /// that nothing has touched yet. How far it goes without the latter follows from how far the
   /// object has moved so far, in cells of poses (FreeSpaceParameters), at no scale of its own
-  /// (docs/planning.md, where it is compared with motions of the simulator).
+  /// docs/planning.md (P1).
   double ofMotion(const Path& path) const;
 
   /// What the outcome of a motion along `path` will tell about the sampled worlds [nat]: the
-  /// entropy of where on it the first contact will be, if anywhere. A contact with matter that
-  /// nothing has touched yet may end it too, at any of the places of the object's surface.
+  /// entropy of where on it the first contact will be, if anywhere, docs/touches.md (T1). A contact
+  /// with matter that nothing has touched yet may end it too, at any of the places of the object's
+  /// surface.
   double informationOf(const Path& path) const;
 
   const Worlds& worlds() const { return *worlds_; }
