@@ -17,7 +17,7 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 from experiments import (  # noqa: E402
-    animation, calibration, figure3, figure4, figure5, figure6, figure7, figure9, generality,
+    animation, calibration, figure3, figure4, figure5, figure6, figure7, figure9, figure10, generality,
     lines_through_a_voxel, methods, rivals, sensitivity, trials,
 )
 from experiments.recording import Recording, moments  # noqa: E402
@@ -26,7 +26,7 @@ from experiments.trials import Store, Trial, TrialError, run  # noqa: E402
 # Stands for smore_experiment: notes each call, and fails for seed 13.
 PROGRAM = """#!/usr/bin/python3
 import json, sys
-arguments = dict(zip(sys.argv[1::2], sys.argv[2::2]))
+arguments = dict(zip(sys.argv[1:], sys.argv[2:] + [""]))
 open(sys.argv[0] + ".calls", "a").write(arguments["--seed"] + "\\n")
 if arguments["--seed"] == "13":
     sys.exit("no thirteenth trial")
@@ -223,7 +223,7 @@ class ExperimentsTest(unittest.TestCase):
     def test_each_experiment_draws_its_figures(self):
         scene = self.folder / "scenes/planar_1001.yaml"
         scene.parent.mkdir()
-        figures_of_paper = (figure3, figure4, figure5, figure6, figure7, figure9)
+        figures_of_paper = (figure3, figure4, figure5, figure6, figure7, figure9, figure10)
         for experiment in (*figures_of_paper, rivals, calibration, sensitivity, generality):
             if experiment is generality:
                 drawn = {"object": "star", "obstacles": "pegs", "scale": 2.5, "rejected": {"no way out was found": 2}}
