@@ -76,17 +76,18 @@ def draw_growth(growths):
             label = kind if number == 0 else None
             panels[0].plot(growth.touches, growth.accuracy, label=label, **style)
             panels[1].plot(growth.touches, growth.completeness, label=label, **style)
-    for axes, what in zip(panels, ("occupied voxels within 4 cm of the chair", "surface within 4 cm of such a voxel")):
-        axes.set(xlabel="touches", ylim=(0, 1.03), xlim=(0, None))
-        axes.set_ylabel(f"share: {what}", fontsize=7.5)
+    panels[0].set_title("accuracy: occupied voxels within a voxel\nof the chair's surface", fontsize=9)
+    panels[1].set_title("completeness: surface within a voxel\nof an occupied one", fontsize=9)
+    for axes in panels:
+        axes.set(xlabel="touches", ylabel="share", ylim=(0, 1.03), xlim=(0, None))
         axes.grid(alpha=0.3)
-    panels[1].legend(frameon=False, title="touches", fontsize=8)
+    panels[1].legend(frameon=False, title="touches", fontsize=8, loc="upper left")
     return figure
 
 
 def draw_distances(growths, surface):
     """Histograms of the occupied voxels' distances, all trials of a kind together."""
-    figure, axes = plt.subplots(figsize=(3.5, 2.6), constrained_layout=True)
+    figure, axes = plt.subplots(figsize=(3.5, 2.9), constrained_layout=True)
     for kind, of_kind in growths.items():
         found = [growth.last() for growth in of_kind]
         voxel = found[0][1]
@@ -98,8 +99,8 @@ def draw_distances(growths, surface):
     axes.axvline(100 * voxel, color="#888888", linewidth=0.8)
     axes.set(xlabel="distance to the chair's surface [cm]", ylabel="occupied voxels")
     axes.set_xticks([0, 4, 8, FARTHEST + 0.25])
-    axes.set_xticklabels(["0", "4", "8", f"{FARTHEST} and more"])
-    axes.legend(frameon=False, fontsize=8)
+    axes.set_xticklabels(["0", "4", "8", f"{FARTHEST}+"])
+    axes.legend(frameon=False, fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     return figure
 
 
