@@ -15,6 +15,7 @@
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/prior_request.h"
 #include "smore/ros/scene_markers.h"
+#include "smore/ros/shown_probability.h"
 #include "smore/ros/throttle.h"
 
 namespace smore {
@@ -38,6 +39,7 @@ class MappingNode {
         files_(belowRosHome(parameters.beliefs), source),
         keeper_(startKeeper(parameters, source, files_)),
         service_node_(makeServiceNode()),
+        shown_(service_node_, parameters.display_min_probability),
         world_(service_node_, names::kWorldMap, parameters.frames.world,
                {Vec3::Zero(), Vec3::Ones()}, parameters.display_min_probability),
         object_(service_node_, names::kObjectMap, parameters.frames.object,
@@ -222,6 +224,7 @@ class MappingNode {
       ROS_ERROR_STREAM(*problem);
       report_.problem = *problem;
     }
+    for (MapPublisher* map : {&world_, &object_}) map->showFrom(shown_.value());
     std::optional<smore_msgs::EvidenceSource> source;
     std::optional<VoxelGrid> world, object;
     std::vector<LineOfAction> lines;
@@ -248,6 +251,7 @@ class MappingNode {
 
   void publishStatus() {
     note(keeper_->arrivals(), &report_);
+    report_.shown_from = shown_.value();
     report_.world_voxels = world_.voxels();
     report_.object_voxels = object_.voxels();
     statuses_.publishIfDue();
@@ -266,6 +270,7 @@ class MappingNode {
   ros::CallbackQueue service_queue_;
   ros::NodeHandle node_;
   ros::NodeHandle service_node_;
+  ShownProbability shown_;
   MapPublisher world_, object_;
   ros::Publisher lines_, source_told_;
   std::uint64_t epoch_told_ = 0;

@@ -29,6 +29,7 @@ void addValues(const MappingReport& now, Status* status) {
   status->add("observations waiting", now.waiting);
   addVoxels("voxels of the world map", now.world_voxels, status);
   addVoxels("voxels of the object map", now.object_voxels, status);
+  status->add("shown from probability", now.shown_from);
   status->add("revision", now.revision);
   status->add("memory [MiB]", static_cast<double>(residentMemory()) / kMebi);
   if (now.pose_age) status->add("age of the transform [s]", *now.pose_age);

@@ -2,6 +2,7 @@
 #include "retrieval_commands.h"
 
 #include <ros/topic.h>
+#include <std_msgs/Float64.h>
 #include <std_srvs/Trigger.h>
 
 #include <iomanip>
@@ -56,6 +57,9 @@ std::string planTo(const Pose& goal, ros::NodeHandle node, ros::ServiceClient pl
 RetrievalCommands::RetrievalCommands(const ros::NodeHandle& node) : node_(node) {
   goals_ = node_.advertise<smore_msgs::RetrieveActionGoal>(std::string(names::kRetrieve) + "/goal",
                                                            names::kLatestQueue);
+  constexpr bool kLatched = true;
+  shown_ =
+      node_.advertise<std_msgs::Float64>(names::kShownProbability, names::kLatestQueue, kLatched);
 }
 
 void RetrievalCommands::retrieve() {
@@ -98,6 +102,12 @@ void RetrievalCommands::loadBelief(const std::string& name) {
   smore_msgs::LoadBelief call;
   call.request.file = name;
   runner_.start(kLoad, [client, call] { return ask(client, call); });
+}
+
+void RetrievalCommands::showFrom(double probability) {
+  std_msgs::Float64 message;
+  message.data = probability;
+  shown_.publish(message);
 }
 
 void RetrievalCommands::trigger(const char* command, const char* service) {

@@ -50,6 +50,9 @@ class RetrievalCommands {
   void saveBelief(const std::string& name, bool overwrite);
   void loadBelief(const std::string& name);
 
+  /// Shows voxels of the maps from this probability on, in (0, 1].
+  void showFrom(double probability);
+
   bool running(const std::string& command) const { return runner_.running(command); }
   std::string answer() const { return runner_.answer(); }
 
@@ -57,7 +60,7 @@ class RetrievalCommands {
   void trigger(const char* command, const char* service);
 
   ros::NodeHandle node_;
-  ros::Publisher goals_;
+  ros::Publisher goals_, shown_;
   CommandRunner runner_;
 };
 

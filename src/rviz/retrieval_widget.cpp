@@ -3,7 +3,9 @@
 
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "panel_colors.h"
 
@@ -11,6 +13,7 @@ namespace smore {
 namespace {
 
 constexpr int kLookPeriod = 100;  // [ms]
+constexpr int kHundred = 100;     // steps of the slider
 
 struct Level {
   const char* word;
@@ -61,6 +64,7 @@ RetrievalWidget::RetrievalWidget(RetrievalMonitor* monitor, RetrievalCommands* c
   column->addWidget(bar_ = new ForceBar);
   column->addLayout(makeButtons());
   column->addLayout(makeFileRow());
+  column->addLayout(makeShownRow());
   column->addWidget(answer_ = makeLabel("answer"));
   column->addLayout(form_);
   guard_ = addLine("Guard", "guard");
@@ -140,6 +144,34 @@ QLayout* RetrievalWidget::makeFileRow() {
   return row;
 }
 
+QLayout* RetrievalWidget::makeShownRow() {
+  auto* row = new QHBoxLayout;
+  shown_label_ = makeLabel("shown from");
+  shown_label_->setWordWrap(false);
+  shown_ = new QSlider(Qt::Horizontal);
+  shown_->setObjectName("shown");
+  shown_->setRange(1, kHundred);
+  QObject::connect(shown_, &QSlider::valueChanged, this, [this](int hundredths) {
+    follows_shown_ = false;
+    commands_->showFrom(static_cast<double>(hundredths) / kHundred);
+  });
+  row->addWidget(shown_label_);
+  row->addWidget(shown_);
+  return row;
+}
+
+void RetrievalWidget::followShown(const RetrievalView& view) {
+  const auto maps = view.statuses.find("mapping: maps");
+  if (follows_shown_ && maps != view.statuses.end()) {
+    const QSignalBlocker no_wish(shown_);
+    const std::string told = maps->second.value("shown from probability", "0");
+    shown_->setValue(
+        static_cast<int>(std::lround(kHundred * QString::fromStdString(told).toDouble())));
+  }
+  const double probability = static_cast<double>(shown_->value()) / kHundred;
+  shown_label_->setText(QString("Voxels from P = %1").arg(probability, 0, 'f', 2));
+}
+
 void RetrievalWidget::refresh() {
   const RetrievalView view = monitor_->view();
   goal_ = view.goal;
@@ -156,8 +188,10 @@ void RetrievalWidget::refresh() {
                          .arg(view.plans)
                          .arg(view.risk ? QString::number(*view.risk, 'f', 2) : QString("-")));
   answer_->setText(QString::fromStdString(commands_->answer()));
+  answer_->setVisible(!answer_->text().isEmpty());
   showStatuses(view);
   showForce(view);
+  followShown(view);
   enableButtons(view);
 }
 

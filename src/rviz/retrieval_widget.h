@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSlider>
 #include <QTimer>
 #include <QWidget>
 #include <functional>
@@ -34,6 +35,8 @@ class RetrievalWidget : public QWidget {
   QPushButton* makeButton(const char* command, const std::function<void()>& act);
   QLayout* makeButtons();
   QLayout* makeFileRow();
+  QLayout* makeShownRow();
+  void followShown(const RetrievalView& view);
   void refresh();
   void showStatuses(const RetrievalView& view);
   void showForce(const RetrievalView& view);
@@ -51,6 +54,9 @@ class RetrievalWidget : public QWidget {
   QLineEdit* file_ = nullptr;
   QCheckBox* overwrite_ = nullptr;
   std::vector<std::pair<QPushButton*, std::string>> buttons_;  ///< and their commands
+  QSlider* shown_ = nullptr;  ///< least probability of the voxels shown, in hundredths
+  QLabel* shown_label_ = nullptr;
+  bool follows_shown_ = true;  ///< until it is moved: what the mapping shows by itself
   QTimer timer_;
   std::optional<Pose> goal_;  ///< of the task, T_world_object
 };

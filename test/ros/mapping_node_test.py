@@ -13,6 +13,7 @@ import rostest
 from octomap_msgs.msg import Octomap, OctomapWithPose
 from octomap_msgs.srv import GetOctomap
 from sensor_msgs.msg import PointCloud2
+from std_msgs.msg import Float64
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import MarkerArray
 
@@ -121,6 +122,25 @@ class MappingNode(unittest.TestCase):
             self.assertGreaterEqual(probability, 0.5)
         both = lines.wait_for(lambda array: len(array.markers[0].points) == 4)
         self.assertIsNotNone(both, "two lines are two pairs of points")
+
+    def test_voxels_are_shown_from_the_probability_that_is_wished(self):
+        self.maps_at(self.source.touch())
+        wish = rospy.Publisher("shown_probability", Float64, queue_size=1, latch=True)
+        cells = Recorder("object/occupied_cells_vis_array", MarkerArray)
+        self.addCleanup(cells.close)
+        counts = []
+        for probability in (0.001, 1.0):
+            cells.clear()
+            wish.publish(probability)
+            many = probability < 0.5
+
+            def fits(array, many=many):
+                return (sum(len(marker.points) for marker in array.markers) > 0) == many
+
+            counts.append(cells.wait_for(fits))
+        wish.publish(7.0)  # no probability: it stays as it is
+        wish.publish(0.3)
+        self.assertNotIn(None, counts)
 
     def test_reset_empties_the_maps(self):
         self.assertGreater(len(self.maps_at(self.source.touch()).world.data), 0)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <octomap_msgs/Octomap.h>
 #include <ros/topic.h>
+#include <std_msgs/Float64.h>
 #include <std_srvs/Trigger.h>
 
 #include <QApplication>
@@ -112,6 +113,17 @@ TEST_F(Panel, ShowsHowTheNodesFare) {
   EXPECT_TRUE(panel_.shows("maps", "world 0, object 0 voxels"));
   EXPECT_TRUE(panel_.shows("plans", "OK"));
   EXPECT_TRUE(panel_.shows("guard", "none"));
+}
+
+TEST_F(Panel, ShowsVoxelsFromTheProbabilityOfTheSliderOn) {
+  EXPECT_TRUE(panel_.shows("shown from", "P = 0.30")) << "the mapping's own";
+  panel_.child<QSlider>("shown")->setValue(60);
+  EXPECT_TRUE(panel_.shows("shown from", "P = 0.60"));
+  const auto told =
+      ros::topic::waitForMessage<std_msgs::Float64>("/smore/shown_probability", ros::Duration(10));
+  ASSERT_TRUE(told);
+  EXPECT_DOUBLE_EQ(told->data, 0.6);
+  panel_.child<QSlider>("shown")->setValue(30);
 }
 
 TEST_F(Panel, PlansWithoutAMotion) {

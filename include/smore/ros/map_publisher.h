@@ -32,6 +32,13 @@ class MapPublisher {
            cloud_.isDue(revision) || cells_.isDue(revision);
   }
 
+  /// Shows voxels from this probability on, in (0, 1]; the markers come anew where it is another.
+  void showFrom(double min_probability) {
+    if (min_probability == min_probability_) return;
+    min_probability_ = min_probability;
+    cells_.renew();
+  }
+
   /// Voxels of the last map that was published; nothing before.
   const std::optional<std::size_t>& voxels() const { return voxels_; }
 
@@ -62,6 +69,8 @@ class MapPublisher {
     bool isDue(std::uint64_t revision) const {
       return sent_ != revision + 1 && publisher_.getNumSubscribers() > 0;
     }
+    /// What was sent counts no more.
+    void renew() { sent_ = 0; }
     template <typename Make>
     void send(std::uint64_t revision, Make make) {
       if (!isDue(revision)) return;

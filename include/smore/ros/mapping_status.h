@@ -22,7 +22,8 @@ struct MappingReport {
   std::uint64_t revision = 0;    ///< rises whenever a map changes
   /// Voxels of each map when it was last given to somebody; nothing before.
   std::optional<std::size_t> world_voxels, object_voxels;
-  std::string problem;  ///< the last one with observations or journal; empty: none
+  double shown_from = 0.3;  ///< least probability of the voxels that are shown
+  std::string problem;      ///< the last one with observations or journal; empty: none
 };
 
 /// Puts into the report what has come and how old it is now.

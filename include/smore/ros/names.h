@@ -32,6 +32,7 @@ constexpr char kOctomapBinary[] = "octomap_binary";
 constexpr char kOctomapWithPose[] = "octomap_with_pose";
 constexpr char kPointCloud[] = "octomap_point_cloud_centers";
 constexpr char kOccupiedCells[] = "occupied_cells_vis_array";
+constexpr char kShownProbability[] = "shown_probability";
 constexpr char kContactLines[] = "contact_lines";
 
 constexpr char kTwinMaps[] = "twin_maps";
