@@ -15,6 +15,7 @@
 #include "smore/ros/payload_tilts.h"
 #include "smore/ros/remote_planner.h"
 #include "smore/ros/retrieval_summary.h"
+#include "smore/ros/settled_maps.h"
 #include "smore/ros/shutdown_request.h"
 
 namespace smore {
@@ -36,7 +37,6 @@ class RetrievalNode {
         planner_(parameters.frames.world, &robot_),
         server_(
             node_, names::kRetrieve, [this](const auto& goal) { execute(*goal); }, false) {
-    maps_ = node_.serviceClient<smore_msgs::SaveMaps>(names::kSaveMaps);
     stop_ = node_.advertiseService(names::kStop, &RetrievalNode::onStop, this);
     server_.registerPreemptCallback([this] { robot_.requestStop(); });
     server_.start();
@@ -239,10 +239,8 @@ class RetrievalNode {
   void report(const RetrievalSummary& summary) {
     ROS_INFO_STREAM("\n" << toText(summary));
     if (parameters_.output.empty()) return;
-    smore_msgs::SaveMaps call;
-    call.request.directory = parameters_.output;
-    if (!maps_.call(call)) call.response.message = "the mapping node does not answer";
-    if (call.response.success == 0) ROS_ERROR_STREAM("maps not saved: " << call.response.message);
+    const std::string problem = saveSettledMaps(&node_, robot_.stamp(), parameters_.output);
+    if (!problem.empty()) ROS_ERROR_STREAM("maps not saved: " << problem);
     const std::string file = parameters_.output + "/summary.json";
     if (!writeJson(summary, file)) ROS_ERROR_STREAM(file << ": cannot be written");
   }
@@ -263,7 +261,6 @@ class RetrievalNode {
   ros::NodeHandle node_;
   RosRobot robot_;
   RemotePlanner planner_;
-  ros::ServiceClient maps_;
   ros::ServiceServer stop_;
   std::mutex stop_mutex_;
   bool stop_next_ = false;  ///< guarded by stop_mutex_: the goal that has not begun is to end
