@@ -115,7 +115,7 @@ class ForceTorqueNode {
     note(Event::RESET, ros::Time());
     sensing_ = ContactSensing(parameters_.sensing);
     still_poses_.clear();
-    tares_.restart();
+    tares_.forget();
   }
 
   ros::ServiceServer serve(const std::string& name, SensingRequest* request) {

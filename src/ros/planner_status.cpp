@@ -11,11 +11,15 @@ void PlannerStatus::begin() {
   begun_ = ros::WallTime::now();
 }
 
-void PlannerStatus::find(double length, std::optional<double> risk) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+void PlannerStatus::end() {
   planning_ = false;
   last_ = sinceBegin();
   longest_ = std::max(longest_, last_);
+}
+
+void PlannerStatus::find(double length, std::optional<double> risk) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  end();
   ++found_;
   length_ = length;
   risk_ = risk;
@@ -24,9 +28,7 @@ void PlannerStatus::find(double length, std::optional<double> risk) {
 
 void PlannerStatus::refuse(const std::string& reason) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  planning_ = false;
-  last_ = sinceBegin();
-  longest_ = std::max(longest_, last_);
+  end();
   ++refused_;
   reason_ = reason;
 }

@@ -32,7 +32,8 @@ class CartesianDriver : public SimulatedDriver {
 };
 
 /// Frames as ur_robot_driver and robot_state_publisher give them: the sensor's frame under the
-/// controller's frame `base`, at each sample; links under base_link.
+/// controller's frame `base`, at each sample; links under base_link. An arm of another make has no
+/// `base`: its sensor's frame is given under base_link.
 class ArmDriver : public SimulatedDriver {
  public:
   ArmDriver(const Scenario& scenario, const FrameNames& frames, const UrdfModel& arm,
@@ -41,28 +42,33 @@ class ArmDriver : public SimulatedDriver {
         T_world_base_link_(scenario.T_world_base),
         T_flange_tcp_(tcp),
         urdf_(arm),
-        arm_(urdf_, armMotionParameters(scenario)) {
+        arm_(urdf_, armMotionParameters(scenario)),
+        controller_(arm->getLink(kUrController) ? kUrController : names().base) {
+    if (controller_ == names().base) return;
     const KinematicTree& tree = arm_.model().tree();
     T_base_base_link_ =
-        arm_.model().linkPoses(JointVector::Zero())[tree.linkIndex(kController)].inverse();
+        arm_.model().linkPoses(JointVector::Zero())[tree.linkIndex(controller_)].inverse();
   }
 
   std::string sensorFrame() const override { return names().tool; }
 
   Transforms fixedTransforms() const override {
-    return {baseTransform(arm_, T_world_base_link_, frames_), gripTransform(arm_, frames_),
-            controllerTransforms().front()};
+    Transforms transforms = controllerTransforms();
+    transforms.push_back(baseTransform(arm_, T_world_base_link_, frames_));
+    transforms.push_back(gripTransform(arm_, frames_));
+    return transforms;
   }
 
   Transforms controllerTransforms() const override {
-    return {stampedTransform(names().base, kController, T_base_base_link_.inverse(), ros::Time())};
+    if (controller_ == names().base) return {};
+    return {stampedTransform(names().base, controller_, T_base_base_link_.inverse(), ros::Time())};
   }
 
   Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const override {
     const Pose T_base_link_tool =
         arm_.model().toolPose(toJointVector(robot.jointPositions())) * T_flange_tcp_;
     return {
-        stampedTransform(kController, names().tool, T_base_base_link_ * T_base_link_tool, stamp)};
+        stampedTransform(controller_, names().tool, T_base_base_link_ * T_base_link_tool, stamp)};
   }
 
   Transforms linkTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const override {
@@ -71,7 +77,7 @@ class ArmDriver : public SimulatedDriver {
     const std::vector<TreeLink>& links = arm_.model().tree().links();
     for (size_t i = 0; i < links.size(); ++i) {
       const std::string& link = links[i].name;
-      if (link == names().base || link == names().tool || link == kController) continue;
+      if (link == names().base || link == names().tool || link == controller_) continue;
       transforms.push_back(stampedTransform(names().base, link, poses[i], stamp));
     }
     return transforms;
@@ -81,7 +87,7 @@ class ArmDriver : public SimulatedDriver {
 
  private:
   /// The frame that a controller of Universal Robots calls its base.
-  static constexpr char kController[] = "base";
+  static constexpr char kUrController[] = "base";
 
   /// Positions of all joints of the description, the gripper's too.
   std::vector<double> treePositions(const SimulatedRobot& robot) const {
@@ -102,9 +108,10 @@ class ArmDriver : public SimulatedDriver {
   FrameNames frames_;
   Pose T_world_base_link_;
   Eigen::Translation3d T_flange_tcp_;
-  Pose T_base_base_link_ = Pose::Identity();  ///< from the driver's base to the URDF's base_link
+  Pose T_base_base_link_ = Pose::Identity();  ///< from the controller's frame to base_link
   UrdfModel urdf_;
   ArmMotion arm_;
+  std::string controller_;  ///< frame in which the driver gives the sensor's
 };
 
 }  // namespace

@@ -15,7 +15,9 @@ constexpr double kLongestSuspension = 3.0;  // [s]; twice what a zeroing is wait
 
 std::optional<std::uint8_t> TareRequests::apply(double time, ContactSensing* sensing) {
   if (suspension_.take()) return suspend(time, sensing);
-  if (tare_.take() || (suspended_until_ && time > *suspended_until_)) asked_at_ = time;
+  const bool over = suspended_until_ && time > *suspended_until_;
+  if (over) suspended_until_.reset();
+  if (tare_.take() || over) asked_at_ = time;
   if (!asked_at_) return std::nullopt;
   return begin(time, sensing);
 }
@@ -33,7 +35,7 @@ std::optional<std::uint8_t> TareRequests::suspend(double time, ContactSensing* s
 std::optional<std::uint8_t> TareRequests::begin(double time, ContactSensing* sensing) {
   const std::string objection = sensing->tareObjection();
   if (!objection.empty() && time - *asked_at_ < kZeroingShows) return std::nullopt;
-  restart();
+  forget();
   if (!objection.empty()) {
     tare_.finish({false, objection});
     return std::nullopt;
@@ -42,7 +44,7 @@ std::optional<std::uint8_t> TareRequests::begin(double time, ContactSensing* sen
   return Event::TARE;
 }
 
-void TareRequests::restart() {
+void TareRequests::forget() {
   asked_at_.reset();
   suspended_until_.reset();
 }

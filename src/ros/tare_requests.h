@@ -26,8 +26,8 @@ class TareRequests {
   /// Whether a tare was asked for that has not begun.
   bool tareWaits() const { return asked_at_.has_value(); }
 
-  /// Forgets what has not begun: time went back.
-  void restart();
+  /// Forgets what has not begun.
+  void forget();
 
  private:
   std::optional<std::uint8_t> suspend(double time, ContactSensing* sensing);

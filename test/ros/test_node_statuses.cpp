@@ -30,7 +30,8 @@ WrenchReport fiveHundred() {
   return report;
 }
 
-Status told(WrenchStatus* status, const WrenchReport& report) {
+template <typename NodeStatus, typename Report>
+Status told(NodeStatus* status, const Report& report) {
   Status result;
   status->compose(report, &result);
   return result;
@@ -98,12 +99,6 @@ SensorReport tared() {
   report.bias_stddev = 0.1;
   report.range = wristSensorRange(RobotKind::kUr5e);
   return report;
-}
-
-Status told(SensorStatus* status, const SensorReport& report) {
-  Status result;
-  status->compose(report, &result);
-  return result;
 }
 
 TEST(SensorStatus, givesTheBiasAndHowWellItIsKnown) {

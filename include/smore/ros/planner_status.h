@@ -28,6 +28,8 @@ class PlannerStatus {
   void compose(Status* status) const;
 
  private:
+  /// The plan that was being made has come or is refused; `mutex_` is held.
+  void end();
   double sinceBegin() const { return (ros::WallTime::now() - begun_).toSec(); }
 
   mutable std::mutex mutex_;  ///< guards all below
