@@ -50,9 +50,12 @@ class RetrievalNode {
 
   /// One retrieval to the scenario's goal; whether it succeeded, or was ended from outside.
   bool runOnce() {
-    constexpr bool kOwnThread = true;
-    actionlib::SimpleActionClient<smore_msgs::RetrieveAction> client(node_, names::kRetrieve,
-                                                                     kOwnThread);
+    // The client, in a thread of its own, waits for a clock that may never come, deaf meanwhile.
+    while (!ros::Time::isValid()) {
+      if (shutdown_.pending()) return true;
+      ros::WallDuration(kLookPeriod).sleep();
+    }
+    actionlib::SimpleActionClient<smore_msgs::RetrieveAction> client(node_, names::kRetrieve, true);
     while (!client.isServerConnected()) {
       if (shutdown_.pending()) return true;
       ros::WallDuration(kLookPeriod).sleep();
