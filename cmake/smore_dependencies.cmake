@@ -35,6 +35,10 @@ find_package(rosbag_storage REQUIRED)
 find_package(rviz QUIET)
 find_package(Qt5 QUIET COMPONENTS Widgets Test)
 
+# For the simulator as a module of Python, which is left out where pybind11 or Python's headers are not installed.
+find_package(Python3 QUIET COMPONENTS Interpreter Development)
+find_package(pybind11 QUIET)
+
 # Of Bullet's extras, but free of Bullet.
 find_path(HACD_INCLUDE_DIR HACD/hacdHACD.h PATH_SUFFIXES bullet)
 find_library(HACD_LIBRARY HACD-float64)

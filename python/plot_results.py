@@ -22,8 +22,8 @@ import numpy as np
 # Section IV of the paper: object with two pegs, mean of ten trials.
 PAPER_SCENE = "s_shape_two_pegs"
 PAPER = (("SMORE", 96, "#3b6fb6"), ("C-space planner", 548, "#7a7a7a"), ("Soft Actor-Critic", 3136, "#b0763a"))
-COLORS = {"smore": "#1a9641", "smore_told": "#7fbf3f", "chs": "#8e24aa", "blocked": "#d9730d", "paper": "#3b6fb6", "cspace": "#7a7a7a"}
-ORDER = ("smore", "smore_told", "chs", "blocked", "paper", "cspace")
+COLORS = {"smore": "#1a9641", "smore_told": "#7fbf3f", "chs": "#8e24aa", "blocked": "#d9730d", "paper": "#3b6fb6", "cspace": "#7a7a7a", "sac": "#b0763a"}
+ORDER = ("smore", "smore_told", "chs", "blocked", "paper", "cspace", "sac")
 LEAST = 0.8  # where a trial without a collision stands on the logarithmic axis
 SPREAD = 0.16  # of the dots around their method's place
 

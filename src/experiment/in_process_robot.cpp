@@ -24,6 +24,19 @@ MotionResult fault(const std::string& reason) {
 
 }  // namespace
 
+ContactSensingParameters sensingParameters(const Scenario& scenario) {
+  ContactSensingParameters parameters;
+  parameters.detector.contact_force = scenario.contact_force;
+  parameters.detector.free_force = scenario.free_force;
+  parameters.detector.release_force = 0.5 * scenario.contact_force;
+  parameters.noise.force_stddev = scenario.wrench_noise.force_stddev;
+  parameters.noise.torque_stddev = scenario.wrench_noise.torque_stddev;
+  parameters.noise.force_drift = scenario.wrench_noise.force_drift;
+  parameters.line.added_direction_stddev = scenario.line_noise.direction;
+  parameters.line.added_offset_stddev = scenario.line_noise.offset;
+  return parameters;
+}
+
 InProcessRobot::InProcessRobot(SimulatedRobot* robot, const ContactSensingParameters& sensing,
                                std::uint64_t seed, ObservationCallback on_observation)
     : robot_(robot), sensing_(sensing, seed), on_observation_(std::move(on_observation)) {

@@ -18,6 +18,7 @@ BELOW = {
 }
 BELOW["experiment"] = set(BELOW) | {"retrieval"}
 BELOW["ros"] = set(BELOW)
+BELOW["python"] = BELOW["ros"]
 BELOW["rviz"] = BELOW["ros"] | {"ros"}
 
 ROS_LAYERS = {"ros", "rviz"}

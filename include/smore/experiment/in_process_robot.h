@@ -6,9 +6,13 @@
 #include "smore/common/robot.h"
 #include "smore/common/trail.h"
 #include "smore/contact/contact_sensing.h"
+#include "smore/scenario/scenario.h"
 #include "smore/simulation/simulated_robot.h"
 
 namespace smore {
+
+/// The contact sensing of a scenario's trials: its thresholds, and the noise that it declares.
+ContactSensingParameters sensingParameters(const Scenario& scenario);
 
 /// Wall time spent in the parts of the loop [s].
 struct LoopTimes {
@@ -32,6 +36,10 @@ class InProcessRobot : public Robot {
   MotionResult follow(const Path& path) override;
   MotionResult retreat(double distance) override;
   MotionResult reset(const Pose& start) override;
+
+  /// The last sample's wrench without the sensor's bias, at the origin and in the axes of the
+  /// object frame.
+  const Wrench& wrench() const { return sensing_.compensated(); }
 
   const LoopTimes& times() const { return times_; }
 
