@@ -15,12 +15,10 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "python"))
 import gymnasium  # noqa: E402
 
-import smore_gym  # noqa: E402,F401  (registers the environment)
-
 
 def measure(scenario, steps):
     """Seconds spent in free steps and in those with a contact, and how many touched."""
-    environment = gymnasium.make("smore/Retrieve-v0", scenario=scenario)
+    environment = gymnasium.make("smore_gym:smore/Retrieve-v0", scenario=scenario)
     environment.action_space.seed(1)
     environment.reset(seed=1)
     spent, touched = {False: 0.0, True: 0.0}, 0

@@ -20,8 +20,6 @@ from stable_baselines3 import SAC  # noqa: E402
 from stable_baselines3.common.callbacks import BaseCallback  # noqa: E402
 from stable_baselines3.common.monitor import Monitor  # noqa: E402
 
-import smore_gym  # noqa: E402,F401  (registers the environment)
-
 # T. Haarnoja et al., Soft Actor-Critic Algorithms and Applications, 2018 (arXiv 1812.05905), table 1; the target of the
 # entropy is minus the number of an action's dimensions, as there.
 PUBLISHED = {
@@ -50,7 +48,7 @@ class UntilGoal(BaseCallback):
 
 def train(scenario, seed, most_interactions):
     torch.set_num_threads(1)
-    environment = Monitor(gymnasium.make("smore/Retrieve-v0", scenario=scenario))
+    environment = Monitor(gymnasium.make("smore_gym:smore/Retrieve-v0", scenario=scenario))
     progress = UntilGoal()
     model = SAC("MlpPolicy", environment, learning_starts=RANDOM_ACTIONS, seed=seed, device="cpu", **PUBLISHED)
     begin = time.monotonic()

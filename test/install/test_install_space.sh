@@ -50,6 +50,12 @@ says "the object is at the goal after [1-9]" own_robot
 says "touches with probability" plan_and_risk
 says "voxels of the world and" replay_run "$scratch/evidence/seed_1.evidence"
 
+if compgen -G "$build/devel/lib/smore/smore_simulator*.so" >/dev/null; then # where pybind11 is
+  (cd "$prefix/share/smore/python/smore_gym" &&
+    /usr/bin/python3 -c 'import simulator; print(simulator.SteppedTrial("one_peg", 1).dimensions)') >"$scratch/said" 2>&1
+  [ "$(cat "$scratch/said")" = 3 ] || fail "the installed simulator does not run in Python: $(cat "$scratch/said")"
+fi
+
 port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
 export ROS_MASTER_URI=http://localhost:$port
 "$source/scripts/run_with_limit.py" 300 roslaunch -p "$port" smore retrieval.launch \

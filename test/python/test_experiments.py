@@ -18,7 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 from experiments import (  # noqa: E402
     animation, calibration, figure3, figure4, figure5, figure6, figure7, figure9, figure10, generality,
-    lines_through_a_voxel, methods, rivals, sensitivity, trials,
+    learning, lines_through_a_voxel, methods, rivals, sensitivity, trials,
 )
 from experiments.recording import Recording, moments  # noqa: E402
 from experiments.trials import Store, Trial, TrialError, run  # noqa: E402
@@ -33,6 +33,7 @@ if arguments["--seed"] == "13":
 seed = int(arguments["--seed"])
 motions = [{"risk": 0.9, "touched": True}] * (seed % 5) + [{"risk": 0.4, "touched": False}]
 trial = {"seed": seed, "success": seed % 7 != 0, "collisions": seed % 5, "motions": motions}
+trial.update({"interactions": 100 * seed, "episodes": [[50, 1, -9.0], [100 * seed, 2, -3.0]], "reason": "at the goal"})
 trial.update({side: {"precision": None if seed == 1001 else 0.5} for side in ("object_map", "world_map")})
 open(arguments["--output"], "w").write(json.dumps({"trials": [trial]}))
 if "--record" in arguments:
@@ -93,6 +94,8 @@ class ExperimentsTest(unittest.TestCase):
         self.calls = self.folder / "program.calls"
         self.addCleanup(setattr, trials, "PROGRAM", trials.PROGRAM)
         trials.PROGRAM = program
+        self.addCleanup(setattr, learning, "PYTHON", learning.PYTHON)
+        learning.PYTHON = self.folder / "missing"
 
     def seeds_called(self):
         return sorted(int(seed) for seed in self.calls.read_text().split())
@@ -219,6 +222,22 @@ class ExperimentsTest(unittest.TestCase):
         shown = animation.frames(recording)
         self.assertEqual(shown[-1], (1, len(recording.motions[1].way)))
         self.assertTrue(all(1 <= behind <= len(recording.motions[index].way) for index, behind in shown))
+
+    def test_soft_actor_critic_is_asked_for_where_it_is_not_set_up(self):
+        asked = figure7.trials(self.folder, True)
+        self.assertNotIn("sac", {trial.method for trial in asked})
+        text, figures = figure7.report(run(asked, self.folder, 2), self.folder)
+        self.assertIn("scripts/experiments --setup", text)
+        self.assertEqual(list(figures), ["figure7"])
+
+    def test_soft_actor_critic_stands_beside_the_methods_where_it_is_set_up(self):
+        learning.PYTHON = trials.PROGRAM
+        self.addCleanup(setattr, learning, "is_set_up", learning.is_set_up)
+        learning.is_set_up = lambda: True
+        text, figures = figure7.report(run(figure7.trials(self.folder, False), self.folder, 2), self.folder)
+        self.assertRegex(text, r"\| sac \| .* \| 4 of 5 \|")
+        self.assertIn("| 1002 | 100200 | 2 | at the goal |", text)
+        self.assertEqual(list(figures), ["figure7", "figure7_sac"])
 
     def test_each_experiment_draws_its_figures(self):
         scene = self.folder / "scenes/planar_1001.yaml"
