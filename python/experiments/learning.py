@@ -10,7 +10,7 @@ PYTHON = FOLDER / "bin/python"
 PACKAGES = ROOT / "scripts/packages_pypi.txt"
 SMALLEST = "farama-notifications==0.0.4"  # of them: three kilobytes, to see whether PyPI answers
 SKIPPED = 77  # exit status, as CTest knows it
-PIP = ("-m", "pip", "--disable-pip-version-check", "--timeout", "20", "--retries", "1")
+PIP = ("-m", "pip", "--disable-pip-version-check", "--timeout", "20", "--retries", "2")
 
 
 def pip(*arguments):
