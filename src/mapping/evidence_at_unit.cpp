@@ -2,10 +2,30 @@
 #include "smore/mapping/evidence_at_unit.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "smore/mapping/surface_sizes.h"
 
 namespace smore {
+namespace {
+
+// Between the contacts of an explanation, a contact's with itself twice (docs/belief.md (B4)).
+int contradictionsIn(const Explanation& explanation, const FreeSpaceEvidence& free) {
+  const int count = static_cast<int>(explanation.size());
+  int contradictions = 0;
+  for (int k = 0; k < count; ++k) {
+    for (int l = 0; l < count && explanation[k] != kFalseContact; ++l) {
+      if (explanation[l] == kFalseContact) continue;
+      const ConflictTable* table = free.conflicts(k, l);
+      if (table == nullptr || !table->at(explanation[k], explanation[l])) continue;
+      contradictions += k == l ? 2 : 1;
+    }
+  }
+  return contradictions;
+}
+
+}  // namespace
+
 EvidenceAtUnit::EvidenceAtUnit(const JointBeliefParameters& parameters, const MapFrame& frame,
                                double unit)
     : unit_(unit),
@@ -34,22 +54,40 @@ void EvidenceAtUnit::removeContact(std::uint64_t id) {
   contacts_.erase(found);
 }
 
-ExplainedEvidence EvidenceAtUnit::explain(const std::vector<KnownMatter>& known,
-                                          const std::vector<int>& members,
-                                          std::uint64_t seed) const {
+DrawnEvidence EvidenceAtUnit::draw(const std::vector<KnownMatter>& known,
+                                   std::uint64_t seed) const {
+  DrawnEvidence result;
+  result.prior = PriorEvidence(known, contacts_, free_, parameters_.prior, parameters_.feature,
+                               frame_.planar());
+  result.samples = JointDistribution(contacts_, free_, result.prior, parameters_.distribution)
+                       .sample(kHypotheses, seed);
+  return result;
+}
+
+double EvidenceAtUnit::costOf(const std::vector<JointSample>& samples, std::size_t contacts) const {
+  const DistributionParameters& distribution = parameters_.distribution;
+  const double of_false_contact = -std::log(distribution.false_contact);
+  double cost = of_false_contact * static_cast<double>(contacts - contacts_.size());
+  for (const JointSample& sample : samples) {
+    const auto held_false = std::count(sample.places.begin(), sample.places.end(), kFalseContact);
+    cost += (distribution.conflict_cost * contradictionsIn(sample.places, free_) +
+             of_false_contact * static_cast<double>(held_false)) /
+            static_cast<double>(samples.size());
+  }
+  return cost;
+}
+
+ExplainedEvidence EvidenceAtUnit::explain(const DrawnEvidence& drawn,
+                                          const std::vector<int>& members) const {
   ExplainedEvidence result;
-  PriorEvidence& prior = result.prior.evidence;
-  prior = PriorEvidence(known, contacts_, free_, parameters_.prior, parameters_.feature,
-                        frame_.planar());
-  const std::vector<JointSample> drawn =
-      JointDistribution(contacts_, free_, prior, parameters_.distribution)
-          .sample(kHypotheses, seed);
+  result.prior.evidence = drawn.prior;
+  const auto pieces = static_cast<std::size_t>(drawn.prior.count());
   result.explanations.assign(kHypotheses, Explanation(contacts_.size(), kFalseContact));
-  result.prior.worlds.assign(known.size(), 0);
+  result.prior.worlds.assign(pieces, 0);
   for (std::size_t i = 0; i < members.size(); ++i) {
-    const JointSample& sample = drawn[i * drawn.size() / members.size()];  // evenly
+    const JointSample& sample = drawn.samples[i * drawn.samples.size() / members.size()];
     result.explanations[members[i]] = sample.places;
-    for (std::size_t piece = 0; piece < known.size(); ++piece) {
+    for (std::size_t piece = 0; piece < pieces; ++piece) {
       if (((sample.believed >> piece) & 1U) == 0) continue;
       result.prior.worlds[piece] |= HypothesisMask{1} << members[i];
     }

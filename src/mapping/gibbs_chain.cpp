@@ -116,10 +116,7 @@ double GibbsChain::binding() const {
     for (std::size_t l = 0; l < contacts_->size(); ++l) {
       if (places_[l] == kFalseContact) continue;
       const ConflictTable* table = evidence_->conflicts(static_cast<int>(k), static_cast<int>(l));
-      if (table == nullptr) continue;
-      const int j = places_[l];
-      const bool conflict = ((table->by_object[places_[k]][j / 64] >> (j % 64)) & 1U) != 0;
-      if (conflict) conflicts += k == l ? 2 : 1;
+      if (table != nullptr && table->at(places_[k], places_[l])) conflicts += k == l ? 2 : 1;
     }
   }
   return parameters_->exponent * log_attraction - parameters_->conflict_cost * conflicts;

@@ -30,6 +30,10 @@ bool isBefore(const StampedPose& a, const StampedPose& b) {
   return std::lexicographical_compare(of_a, of_a + 16, of_b, of_b + 16);
 }
 
+int likeliestOf(const std::array<int, kUnits>& counts) {
+  return static_cast<int>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+}
+
 // Hypotheses in an order in which those of any part of it have surfaces of all sizes.
 int scattered(int place) { return (27 * place + 5) % kHypotheses; }
 
@@ -96,14 +100,14 @@ std::optional<ContactHypotheses> JointBelief::widestPlacesOf(const Pose& T_world
 
 // Those that are covered at the likeliest unit.
 void JointBelief::mergeContacts() {
-  const std::array<int, kUnits> counts = worldsByUnit();
-  const auto likeliest = std::max_element(counts.begin(), counts.end()) - counts.begin();
-  const EvidenceAtUnit& evidence = atUnit(static_cast<int>(likeliest));
+  DrawnByUnit drawn;
+  const int likeliest = likeliestOf(worldsByUnit(&drawn));
+  const EvidenceAtUnit& evidence = atUnit(likeliest);
   std::vector<int> members(kHypotheses);
   std::iota(members.begin(), members.end(), 0);
   std::vector<std::uint64_t> merged;
   for (const int contact : coveredContacts(
-           evidence.contacts(), evidence.explain(known_, members, parameters_.seed).explanations,
+           evidence.contacts(), evidence.explain(drawnAt(likeliest, &drawn), members).explanations,
            evidence.parameters().distribution, parameters_.most_contacts / kMergedShare)) {
     merged.push_back(evidence.contacts()[contact].id);
   }
@@ -150,7 +154,13 @@ std::shared_ptr<const Worlds> JointBelief::worlds() const {
   return worlds_;
 }
 
-std::array<int, kUnits> JointBelief::worldsByUnit() const {
+const DrawnEvidence& JointBelief::drawnAt(int index, DrawnByUnit* drawn) const {
+  const auto known = drawn->find(index);
+  if (known != drawn->end()) return known->second;
+  return drawn->emplace(index, atUnit(index).draw(known_, parameters_.seed)).first->second;
+}
+
+std::array<int, kUnits> JointBelief::worldsByUnit(DrawnByUnit* drawn) const {
   std::array<int, kUnits> all_alike{};
   all_alike[parameters_.unit > 0.0 ? 0 : kUnits / 2] = kHypotheses;
   const std::vector<LeverOfContact> known = leversOfKnownObject();
@@ -158,7 +168,12 @@ std::array<int, kUnits> JointBelief::worldsByUnit() const {
   std::vector<LeverOfContact> levers;
   levers.reserve(levers_.size());
   for (const auto& entry : levers_) levers.push_back(entry.second);
-  return worldsOfUnits(unitProbabilities(levers, frame_.planar(), known), kHypotheses, kStrata);
+  const auto cost = [&](int index) {
+    return atUnit(index).costOf(drawnAt(index, drawn).samples, contacts_.size());
+  };
+  return worldsOfUnits(
+      probabilitiesByCost(unitProbabilities(levers, frame_.planar(), known), kStrata, cost),
+      kHypotheses, kStrata);
 }
 
 // Of contacts with its surface, square to it.
@@ -188,12 +203,12 @@ EvidenceAtUnit& JointBelief::atUnit(int index) const {
 
 Worlds JointBelief::infer() const {
   const auto begin = SteadyClock::now();
-  const std::array<int, kUnits> counts = worldsByUnit();
-  forgetUnlikelyUnits(counts);
+  DrawnByUnit drawn;
+  const std::array<int, kUnits> counts = worldsByUnit(&drawn);
   TouchedPlaces touched;
-  SampledWorlds sampled = sampledWorlds(counts, &touched);
-  const auto likeliest = std::max_element(counts.begin(), counts.end()) - counts.begin();
-  const EvidenceAtUnit& main = atUnit(static_cast<int>(likeliest));
+  SampledWorlds sampled = sampledWorlds(counts, &drawn, &touched);
+  forgetUnlikelyUnits(drawn);
+  const EvidenceAtUnit& main = atUnit(likeliestOf(counts));
   VoxelGrid world =
       marginalMap(sampled, MapSide::kWorld, frame_.T_map_world().inverse(), parameters_.voxel_size);
   VoxelGrid object =
@@ -212,9 +227,9 @@ Worlds JointBelief::infer() const {
           secondsSince(begin)};
 }
 
-void JointBelief::forgetUnlikelyUnits(const std::array<int, kUnits>& counts) const {
+void JointBelief::forgetUnlikelyUnits(const DrawnByUnit& drawn) const {
   for (auto known = at_unit_.begin(); known != at_unit_.end();) {
-    known = counts[known->first] == 0 ? at_unit_.erase(known) : std::next(known);
+    known = drawn.count(known->first) == 0 ? at_unit_.erase(known) : std::next(known);
   }
 }
 
@@ -227,7 +242,7 @@ double JointBelief::meanUnit(const std::array<int, kUnits>& counts) const {
   return std::exp(log_unit / kHypotheses);
 }
 
-SampledWorlds JointBelief::sampledWorlds(const std::array<int, kUnits>& counts,
+SampledWorlds JointBelief::sampledWorlds(const std::array<int, kUnits>& counts, DrawnByUnit* drawn,
                                          TouchedPlaces* touched) const {
   std::vector<WorldsAtUnit> parts;
   HypothesisWeights::Weights weights{};
@@ -239,7 +254,7 @@ SampledWorlds JointBelief::sampledWorlds(const std::array<int, kUnits>& counts,
       members.push_back(scattered(place));
     }
     const EvidenceAtUnit& evidence = atUnit(i);
-    const ExplainedEvidence explained = evidence.explain(known_, members, parameters_.seed);
+    const ExplainedEvidence explained = evidence.explain(drawnAt(i, drawn), members);
     const HypothesisWeights::Weights likely = evidence.weightsOf(explained.explanations);
     for (const int m : members) {
       weights[m] = likely[m];

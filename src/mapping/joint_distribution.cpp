@@ -17,7 +17,7 @@ namespace {
 
 bool conflict(const FreeSpaceEvidence& evidence, int on_object, int i, int in_world, int j) {
   const ConflictTable* table = evidence.conflicts(on_object, in_world);
-  return table != nullptr && ((table->by_object[i][j / 64] >> (j % 64)) & 1U) != 0;
+  return table != nullptr && table->at(i, j);
 }
 
 struct Side {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace smore {
@@ -27,6 +28,14 @@ constexpr double kTouchesApart = 2.0;
 // As many contacts say as much of the size of a held thing as its known surface does: a choice, for
 // a step or two of the units before anything is touched.
 constexpr double kKnownSurface = 4.0;
+
+// Probability that the levers mislead, as those of a long tool that touches thin things: each unit
+// is then so much less likely than the next one nearer to theirs.
+constexpr double kMisled = 0.05;
+constexpr double kFarther = 0.3;
+
+// What the right unit may cost [nats]: less than one contradiction.
+constexpr double kBearable = 3.0;
 
 // No offset is known better [m]: half the smallest unit.
 constexpr double kLeastOffset = 0.5 * kSmallestUnit;
@@ -61,6 +70,52 @@ double logLikelihoodOfDistances(const std::vector<LeverOfContact>& contacts, dou
   return contacts.empty() ? 0.0 : 2.0 / static_cast<double>(contacts.size()) * sum;
 }
 
+// The units of the levers, and others beside them.
+std::array<double, kUnits> widened(const std::array<double, kUnits>& by_levers) {
+  const double beside = kMisled * (1.0 - kFarther) / (1.0 + kFarther);
+  std::array<double, kUnits> result{};
+  for (int i = 0; i < kUnits; ++i) {
+    result[i] = (1.0 - kMisled) * by_levers[i];
+    for (int j = 0; j < kUnits; ++j) {
+      result[i] += by_levers[j] * beside * std::pow(kFarther, std::abs(i - j));
+    }
+  }
+  return result;
+}
+
+// Of the units that are likely by their levers, and of smaller ones as long as they are cheaper.
+std::map<int, double> costsOfUnits(const std::array<double, kUnits>& by_levers, int strata,
+                                   const std::function<double(int)>& cost) {
+  const std::array<int, kUnits> likely = worldsOfUnits(by_levers, strata, strata);
+  std::map<int, double> costs;
+  for (int i = 0; i < kUnits; ++i) {
+    if (likely[i] > 0) costs[i] = cost(i);
+  }
+  double last = costs.begin()->second;
+  for (int i = costs.begin()->first - 1; i >= 0 && last > kBearable; --i) {
+    costs[i] = cost(i);
+    if (costs[i] >= last) break;
+    last = costs[i];
+  }
+  return costs;
+}
+
+// Beyond what is bearable, at the nearest unit whose cost is known.
+double excessAt(int index, const std::map<int, double>& costs) {
+  const auto nearest =
+      std::min_element(costs.begin(), costs.end(), [index](const auto& a, const auto& b) {
+        return std::abs(a.first - index) < std::abs(b.first - index);
+      });
+  return std::max(0.0, nearest->second - kBearable);
+}
+
+void normalise(std::array<double, kUnits>* log_probabilities) {
+  const double largest = *std::max_element(log_probabilities->begin(), log_probabilities->end());
+  double sum = 0.0;
+  for (double& value : *log_probabilities) sum += value = std::exp(value - largest);
+  for (double& value : *log_probabilities) value /= sum;
+}
+
 }  // namespace
 
 double unitOfLength(int index) { return kSmallestUnit * std::pow(kRatio, index); }
@@ -79,10 +134,21 @@ std::array<double, kUnits> unitProbabilities(const std::vector<LeverOfContact>& 
                    std::log(likelihood(lever, unitOfLength(i), dimensions));
     }
   }
-  const double largest = *std::max_element(result.begin(), result.end());
-  double sum = 0.0;
-  for (double& value : result) sum += value = std::exp(value - largest);
-  for (double& value : result) value /= sum;
+  normalise(&result);
+  return result;
+}
+
+// docs/belief.md (U1).
+std::array<double, kUnits> probabilitiesByCost(const std::array<double, kUnits>& by_levers,
+                                               int strata,
+                                               const std::function<double(int index)>& cost) {
+  const std::map<int, double> costs = costsOfUnits(by_levers, strata, cost);
+  const bool bearable = std::all_of(
+      costs.begin(), costs.end(), [](const auto& of_unit) { return of_unit.second <= kBearable; });
+  if (bearable) return by_levers;
+  std::array<double, kUnits> result = widened(by_levers);
+  for (int i = 0; i < kUnits; ++i) result[i] = std::log(result[i]) - excessAt(i, costs);
+  normalise(&result);
   return result;
 }
 

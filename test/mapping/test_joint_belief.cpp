@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "belief_observations.h"
 #include "smore/mapping/joint_belief.h"
@@ -73,6 +75,48 @@ TEST(JointBelief, LinesThatMissByWhatTheyStateShowThePegToo) {
   constexpr double kMiss = 0.01;
   touchPeg(8, &belief, kMiss);
   EXPECT_GT(pegProbability(belief), 0.7);
+}
+
+// The side of a rod of 4 cm width, `lever` from the hand, touches a post of 2 cm radius at the
+// origin, which the rod then points past at `heading`. Where the hand was.
+Vec3 touchPost(double lever, double heading, int side, JointBelief* belief) {
+  constexpr double kRadius = 0.02;
+  const Vec3 along(std::cos(heading), std::sin(heading), 0.0);
+  const Vec3 away = side * Vec3(-along.y(), along.x(), 0.0);
+  const auto poseAt = [&](double gap) {
+    return makePose((2.0 * kRadius + gap) * away - lever * along, {0, 0, heading});
+  };
+  for (double gap = 0.2; gap > 0.004; gap -= 0.01) belief->observe(freeAt(poseAt(gap), 0));
+  belief->observe(contactAt(poseAt(0.0), {lever, -kRadius * side, 0}, {0, 1.0 * side, 0}));
+  return poseAt(0.0).translation();
+}
+
+// The rod points away from the post, near and far.
+void turnAround(JointBelief* belief) {
+  for (double distance = 0.1; distance < 1.6; distance += 0.1) {
+    for (double heading = 0.0; heading < 2.0 * M_PI; heading += 0.2) {
+      const Vec3 hand = distance * Vec3(std::cos(heading), std::sin(heading), 0.0);
+      belief->observe(freeAt(makePose(hand, {0, 0, heading}), 0));
+    }
+  }
+}
+
+// As thick as the lever is long, no post has room between the poses at which the rod was free.
+TEST(JointBelief, ThinMatterThatIsTouchedWithALongToolIsFoundThin) {
+  JointBeliefParameters parameters = planarParameters();
+  parameters.unit = 0.0;
+  JointBelief belief(parameters);
+  turnAround(&belief);
+  std::vector<LeverOfContact> levers;
+  for (int i = 0; i < 16; ++i) {
+    const double lever = 0.3 + 0.04 * (i % 5);
+    const Vec3 hand = touchPost(lever, 2.0 * M_PI * i / 16, i % 2 == 0 ? 1 : -1, &belief);
+    levers.push_back({lever, 0.0, hand});
+  }
+  const std::array<double, kUnits> by_levers = unitProbabilities(levers, true);
+  const auto likeliest = std::max_element(by_levers.begin(), by_levers.end()) - by_levers.begin();
+  EXPECT_GT(unitOfLength(static_cast<int>(likeliest)), 0.25);
+  EXPECT_LT(belief.worlds()->unit, 0.15);
 }
 
 TEST(JointBelief, ProbabilitiesStayInsideAndResetForgets) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <vector>
 
 #include "smore/mapping/unit_of_length.h"
 
@@ -91,6 +92,50 @@ TEST(UnitOfLength, TouchesFarApartSpeakAgainstASmallOne) {
   const double gap =
       meanIndex(unitProbabilities(far, true)) - meanIndex(unitProbabilities(near, true));
   EXPECT_GT(gap, 3.0);
+}
+
+// Levers that are sure of one unit, and costs by unit; what was asked for.
+struct Costs {
+  static constexpr int kByLevers = 12;
+  std::array<double, kUnits> of{};
+  std::vector<int> asked;
+
+  std::array<double, kUnits> probabilities() {
+    std::array<double, kUnits> by_levers{};
+    by_levers[kByLevers] = 1.0;
+    return probabilitiesByCost(by_levers, 3, [this](int index) {
+      asked.push_back(index);
+      return of[index];
+    });
+  }
+};
+
+TEST(UnitOfLength, LeversAreBelievedWhereNothingContradicts) {
+  Costs costs;
+  costs.of.fill(2.0);
+  const auto found = costs.probabilities();
+  EXPECT_EQ(found[Costs::kByLevers], 1.0);
+  EXPECT_EQ(costs.asked, std::vector<int>({Costs::kByLevers}));
+}
+
+// As where thin things are touched with a long tool: each smaller unit contradicts less, until
+// lines pass too far from the hand for it.
+TEST(UnitOfLength, ASmallerOneIsTakenWhereTheLeversLeadToContradictions) {
+  Costs costs;
+  for (int i = 0; i < kUnits; ++i) costs.of[i] = 10.0 * std::abs(i - 9);
+  const auto found = costs.probabilities();
+  EXPECT_NEAR(std::accumulate(found.begin(), found.end(), 0.0), 1.0, 1e-12);
+  EXPECT_GT(found[9], 0.6);
+  EXPECT_GT(found[7] + found[8] + found[9], 0.9);
+  EXPECT_EQ(costs.asked, std::vector<int>({12, 11, 10, 9}));
+}
+
+// What contradicts at every unit, such as lines that are known badly, says nothing of it.
+TEST(UnitOfLength, CostsThatAreEqualEverywhereLeaveTheLeversTheirSay) {
+  Costs costs;
+  costs.of.fill(50.0);
+  EXPECT_GT(costs.probabilities()[Costs::kByLevers], 0.94);
+  EXPECT_EQ(costs.asked, std::vector<int>({12, 11}));
 }
 
 TEST(UnitOfLength, WorldsAreSharedOutByEqualParts) {

@@ -20,6 +20,12 @@ struct ObservedContact {
   LineOfAction line;
 };
 
+/// kHypotheses draws of where the contacts were and of what is true of what is known beforehand.
+struct DrawnEvidence {
+  std::vector<JointSample> samples;
+  PriorEvidence prior;
+};
+
 /// kHypotheses explanations of all contacts, and what they hold to be true of what is known
 /// beforehand.
 struct ExplainedEvidence {
@@ -41,10 +47,16 @@ class EvidenceAtUnit {
   void addContact(const ObservedContact& contact);
   void removeContact(std::uint64_t id);
 
-  /// kHypotheses explanations of the contacts: those of `members` are drawn, by `seed`, the others
-  /// explain nothing. `known`: a view, which must outlive the result.
-  ExplainedEvidence explain(const std::vector<KnownMatter>& known, const std::vector<int>& members,
-                            std::uint64_t seed) const;
+  /// By `seed`. `known`: a view, which must outlive the result.
+  DrawnEvidence draw(const std::vector<KnownMatter>& known, std::uint64_t seed) const;
+
+  /// What the draws cost on average [nats]: contradictions among the contacts, and contacts that
+  /// are held to be false. Of all `contacts` those whose lines pass too far for this unit are.
+  double costOf(const std::vector<JointSample>& samples, std::size_t contacts) const;
+
+  /// Explanations of the contacts: those of `members` are taken evenly from the draws, the others
+  /// explain nothing.
+  ExplainedEvidence explain(const DrawnEvidence& drawn, const std::vector<int>& members) const;
 
   /// How likely each of these explanations is, by the sizes of its surfaces in space; in a plane,
   /// where sizes tell risks apart less well (docs/planning.md), all alike.

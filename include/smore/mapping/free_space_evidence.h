@@ -21,6 +21,9 @@ using CandidateBits = std::array<std::uint64_t, kCandidates / 64>;
 struct ConflictTable {
   std::array<CandidateBits, kCandidates> by_object{};  ///< for a place on the object: world places
   std::array<CandidateBits, kCandidates> by_world{};   ///< for a place in the world: object places
+
+  /// Whether the place `i` on the object contradicts the place `j` in the world.
+  bool at(int i, int j) const { return ((by_object[i][j / 64] >> (j % 64)) & 1U) != 0; }
 };
 
 /// Everything that contact-free poses say about the places of all contacts. Each cell of

@@ -84,15 +84,19 @@ class JointBelief : public TwinMap {
   void noteContact(const ContactObservation& observation);
   bool addContact(const Pose& T_world_object, const LineOfAction& line);
   void mergeContacts();
-  std::array<int, kUnits> worldsByUnit() const;
+  /// What is drawn at each unit that an inference asks for.
+  using DrawnByUnit = std::map<int, DrawnEvidence>;
+  const DrawnEvidence& drawnAt(int index, DrawnByUnit* drawn) const;
+  std::array<int, kUnits> worldsByUnit(DrawnByUnit* drawn) const;
   std::vector<LeverOfContact> leversOfKnownObject() const;
   EvidenceAtUnit& atUnit(int index) const;
   Worlds infer() const;
-  void forgetUnlikelyUnits(const std::array<int, kUnits>& counts) const;
+  void forgetUnlikelyUnits(const DrawnByUnit& drawn) const;
   double meanUnit(const std::array<int, kUnits>& counts) const;
   std::optional<ContactHypotheses> widestPlacesOf(const Pose& T_world_object,
                                                   const LineOfAction& line) const;
-  SampledWorlds sampledWorlds(const std::array<int, kUnits>& counts, TouchedPlaces* touched) const;
+  SampledWorlds sampledWorlds(const std::array<int, kUnits>& counts, DrawnByUnit* drawn,
+                              TouchedPlaces* touched) const;
   std::vector<Pose> touchedPoses() const;
   WorldsAtUnit worldsAt(const EvidenceAtUnit& evidence, const ExplainedEvidence& explained,
                         const std::vector<int>& members) const;

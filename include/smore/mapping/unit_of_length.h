@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "smore/common/geometry.h"
@@ -39,6 +40,17 @@ struct LeverOfContact {
 /// counts as a few contacts.
 std::array<double, kUnits> unitProbabilities(const std::vector<LeverOfContact>& levers, bool planar,
                                              const std::vector<LeverOfContact>& known = {});
+
+/// The same where explaining the contacts may cost more at one unit than at another: `cost` says
+/// how much [nats], at an index, such as contradictions with free space and contacts that are held
+/// to be false. It is asked for the units that worldsOfUnits takes of `by_levers` with so many
+/// `strata`; where one of them costs more than the right one may, for smaller ones too, as long as
+/// that is cheaper. Matter that is thin against the lever that it is touched with is found so: what
+/// is assumed to be thick cannot stand where the object was free. Nothing contradicts a unit that
+/// is too small, which is why the levers go first.
+std::array<double, kUnits> probabilitiesByCost(const std::array<double, kUnits>& by_levers,
+                                               int strata,
+                                               const std::function<double(int index)>& cost);
 
 /// How many of `total` worlds have each unit: as many in each of `strata` parts of equal
 /// probability, with the unit in the part's middle.
