@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/retrieval/informed_touches.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "smore/planning/contact_risk.h"
@@ -51,7 +52,7 @@ Result<Path> InformedTouches::nextTouch(const Pose& from) {
   return path;
 }
 
-// A straight way and a turn about one axis, together of the probe's length.
+// A straight way and a turn about one axis: together of the least length, with the way stretched.
 Pose InformedTouches::drawEnd(const Pose& from, double unit, CounterRandom* random) const {
   const double share = random->uniform();
   const double angle =
@@ -63,8 +64,11 @@ Pose InformedTouches::drawEnd(const Pose& from, double unit, CounterRandom* rand
     direction = space_.T_world_plane.linear() * Vec3(std::cos(heading), std::sin(heading), 0.0);
     axis = space_.T_world_plane.linear().col(2);
   }
+  const double shortest = parameters_.probe_length * unit;
+  const double longest = std::max(shortest, (space_.workspace.max - space_.workspace.min).norm());
+  const double length = shortest * std::pow(longest / shortest, random->uniform());
   Pose end = from;
-  end.translation() += share * parameters_.probe_length * unit * direction;
+  end.translation() += share * length * direction;
   end.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix() * from.linear();
   return end;
 }

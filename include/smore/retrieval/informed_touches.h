@@ -11,15 +11,16 @@ namespace smore {
 
 struct InformedTouchParameters {
   int probes = 300;  ///< motions among which the best is chosen, at least 1
-  /// Of the part that may touch, and what a radian counts in it: half of a held thing's reach, in
-  /// units of length.
+  /// Of the part that may touch at least, and what a radian counts in it: half of a held thing's
+  /// reach, in units of length. At most a probe is as long as the workspace: lengths are drawn
+  /// log-uniform, so that what nobody has been near yet may tell most.
   double probe_length = 3.0;
   double lever = 3.0;
   double least_information = 0.1;  ///< below, nothing is left to tell [nat]
 };
 
 /// Motions whose outcome tells most about what the object and the world look like: along a way that
-/// was free, then straight on where the sampled worlds disagree.
+/// was free, then straight on where the sampled worlds disagree, near or far.
 ///
 /// A sampled world says where on the probe the touch will be, or that there is none. The outcome is
 /// then a function of the world, and what it tells about the worlds (the mutual information) is its
