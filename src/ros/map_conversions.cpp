@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "smore/mapping/octomap_export.h"
+#include "smore/ros/marker_parts.h"
 
 namespace smore {
 namespace {
@@ -40,22 +41,10 @@ bool readWhole(const octomap_msgs::Octomap& message, octomap::OcTree* tree) {
   return again.str().size() == bytes.size();
 }
 
-geometry_msgs::Point toPoint(const Vec3& center) {
-  geometry_msgs::Point point;
-  point.x = center.x();
-  point.y = center.y();
-  point.z = center.z();
-  return point;
-}
-
 std_msgs::ColorRGBA shade(const MapColors& colors, float probability) {
   const Vec3 mixed = colors.low + probability * (colors.high - colors.low);
-  std_msgs::ColorRGBA color;
-  color.r = static_cast<float>(mixed.x());
-  color.g = static_cast<float>(mixed.y());
-  color.b = static_cast<float>(mixed.z());
-  color.a = std::max(probability, kLeastOpacity);
-  return color;
+  return makeColor(static_cast<float>(mixed.x()), static_cast<float>(mixed.y()),
+                   static_cast<float>(mixed.z()), std::max(probability, kLeastOpacity));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "keeper_start.h"
 #include "mapping_parameters.h"
 #include "smore/mapping/prior_maps.h"
+#include "smore/ros/belief_display.h"
 #include "smore/ros/belief_files.h"
 #include "smore/ros/evidence_messages.h"
 #include "smore/ros/map_publisher.h"
@@ -14,7 +15,6 @@
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/prior_request.h"
-#include "smore/ros/scene_markers.h"
 #include "smore/ros/shown_probability.h"
 #include "smore/ros/throttle.h"
 
@@ -40,14 +40,13 @@ class MappingNode {
         keeper_(startKeeper(parameters, source, files_)),
         service_node_(makeServiceNode()),
         shown_(service_node_, parameters.display_min_probability),
+        belief_(service_node_, parameters.frames, parameters.line_half_length),
         world_(service_node_, names::kWorldMap, parameters.frames.world,
                {Vec3::Zero(), Vec3::Ones()}, parameters.display_min_probability),
         object_(service_node_, names::kObjectMap, parameters.frames.object,
                 {Vec3::UnitY(), Vec3::UnitX()}, parameters.display_min_probability) {
     contact_ = node_.subscribe(names::kContact, names::kObservationQueue, &MappingNode::onContact,
                                this, ros::TransportHints().tcpNoDelay());
-    lines_ = service_node_.advertise<visualization_msgs::MarkerArray>(names::kContactLines,
-                                                                      names::kLatestQueue, true);
     source_told_ = service_node_.advertise<smore_msgs::EvidenceSource>(names::kEvidenceSource,
                                                                        names::kLatestQueue, true);
     offerServices();
@@ -227,6 +226,7 @@ class MappingNode {
     for (MapPublisher* map : {&world_, &object_}) map->showFrom(shown_.value());
     std::optional<smore_msgs::EvidenceSource> source;
     std::optional<VoxelGrid> world, object;
+    std::shared_ptr<const Worlds> worlds;
     std::vector<LineOfAction> lines;
     std::uint64_t revision = 0;
     ros::Time stamp;
@@ -239,11 +239,13 @@ class MappingNode {
         source = sourceMessage(source_, state);
       if (world_.isDue(revision)) world = state.maps->world();
       if (object_.isDue(revision)) object = state.maps->object();
+      if (belief_.isDue(revision)) worlds = worldsOf(*state.maps);
     });
     if (world) world_.publish(*world, revision, stamp);
     if (object) object_.publish(*object, revision, stamp);
     if (source) source_told_.publish(*source);
-    publishLines(lines);
+    if (worlds) belief_.publish(*worlds, revision);
+    belief_.publish(lines);
     report_.lines = lines.size();
     report_.revision = revision;
     publishStatus();
@@ -257,12 +259,6 @@ class MappingNode {
     statuses_.publishIfDue();
   }
 
-  void publishLines(const std::vector<LineOfAction>& lines) {
-    if (lines.size() == lines_sent_ || lines_.getNumSubscribers() == 0) return;
-    lines_.publish(lineMarkers(lines, parameters_.line_half_length, parameters_.frames));
-    lines_sent_ = lines.size();
-  }
-
   MappingParameters parameters_;
   EvidenceSource source_;
   BeliefFiles files_;
@@ -271,13 +267,13 @@ class MappingNode {
   ros::NodeHandle node_;
   ros::NodeHandle service_node_;
   ShownProbability shown_;
+  BeliefDisplay belief_;
   MapPublisher world_, object_;
-  ros::Publisher lines_, source_told_;
+  ros::Publisher source_told_;
   std::uint64_t epoch_told_ = 0;
   ros::Subscriber contact_;
   std::vector<ros::ServiceServer> servers_;
   ros::WallTimer timer_;
-  std::size_t lines_sent_ = 0;
   MappingReport report_;
   StatusPublisher statuses_;
   Throttle warning_{kWarningPeriod};

@@ -31,22 +31,34 @@ Result<Plan> MethodReplica::plan(const Pose& start, const Pose& goal, bool relax
   return relaxed ? method_.planner->planRelaxed(start, goal) : method_.planner->plan(start, goal);
 }
 
-PoseAssessment MethodReplica::assess(const Pose& T_world_object, const Pose& known_free) const {
-  PoseAssessment assessment;
+PoseKnowledge MethodReplica::knowledge() const {
+  const bool certain = dynamic_cast<const JointBelief*>(method_.maps.get()) == nullptr;
+  const auto assess = [certain, risk_of = riskOfPoses(),
+                       space = scenario_.motionSpace()](const Pose& T_world_object) {
+    PoseAssessment assessment;
+    assessment.risk = risk_of(T_world_object);
+    assessment.problem = space.whyOutside(T_world_object);
+    if (assessment.problem.empty() && certain && assessment.risk > 0.0) {
+      assessment.problem = "the object would touch what is occupied";
+    }
+    assessment.valid = assessment.problem.empty();
+    return assessment;
+  };
+  return {occupiedVoxels(method_.maps->object()), assess};
+}
+
+std::function<double(const Pose&)> MethodReplica::riskOfPoses() const {
   if (const auto* belief = dynamic_cast<const JointBelief*>(method_.maps.get())) {
-    assessment.risk = ContactRisk(belief->worlds()).atPose(T_world_object);
-    assessment.valid = true;
-  } else if (const auto* memory = dynamic_cast<const CspaceMemory*>(method_.memory.get())) {
-    assessment.valid = memory->isValid(T_world_object, known_free);
-    assessment.risk = assessment.valid ? 0.0 : 1.0;
-  } else {
-    const GridCollisionChecker checker(occupiedVoxels(method_.maps->object()),
-                                       occupiedVoxels(method_.maps->world()));
-    assessment.valid = !checker.inCollision(T_world_object);
-    assessment.risk = assessment.valid ? 0.0 : 1.0;
+    return [risk = ContactRisk(belief->worlds())](const Pose& pose) { return risk.atPose(pose); };
   }
-  assessment.valid = assessment.valid && scenario_.motionSpace().contains(T_world_object);
-  return assessment;
+  if (const auto* memory = dynamic_cast<const CspaceMemory*>(method_.memory.get())) {
+    return [memory = *memory, start = scenario_.start](const Pose& pose) {
+      return memory.isValid(pose, start) ? 0.0 : 1.0;
+    };
+  }
+  const auto checker = std::make_shared<const GridCollisionChecker>(
+      occupiedVoxels(method_.maps->object()), occupiedVoxels(method_.maps->world()));
+  return [checker](const Pose& pose) { return checker->inCollision(pose) ? 1.0 : 0.0; };
 }
 
 std::vector<double> MethodReplica::risksAlong(const Path& path) const {

@@ -4,8 +4,11 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <limits>
+#include <memory>
 
 #include "smore/ros/evidence_messages.h"
+#include "smore/ros/ghost_markers.h"
+#include "smore/ros/goal_marker.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/planner_status.h"
@@ -46,18 +49,23 @@ class PlannerNode {
  public:
   PlannerNode(const PlannerNodeParameters& parameters, const Scenario& scenario)
       : parameters_(parameters),
-        start_(scenario.start),
-        space_(scenario.motionSpace()),
         replica_(parameters.method, scenario, parameters.seed, parameters.method_parameters) {
     maps_ = node_.serviceClient<smore_msgs::TwinMaps>(names::kTwinMaps);
     path_ = node_.advertise<nav_msgs::Path>(names::kPath, names::kLatestQueue, true);
     markers_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPathMarkers,
                                                                 names::kLatestQueue, true);
+    ghost_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPathGhost,
+                                                              names::kLatestQueue, true);
     tree_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPlanTree, names::kLatestQueue,
                                                              true);
     plan_ = node_.advertiseService(names::kPlanPath, &PlannerNode::onPlan, this);
     touch_ = node_.advertiseService(names::kPlanTouch, &PlannerNode::onTouch, this);
     check_ = node_.advertiseService(names::kCheckPose, &PlannerNode::onCheck, this);
+    source_ =
+        node_.subscribe(names::kEvidenceSource, names::kLatestQueue, &PlannerNode::onSource, this);
+    if (scenario.task == Task::kRetrieve) {
+      marker_ = std::make_unique<GoalMarker>(scenario, parameters.frames, replica_.knowledge());
+    }
     statuses_.add("plans", [this](Status* status) { status_.compose(status); });
     timer_ = status_node_.createWallTimer(ros::WallDuration(kStatusPeriod),
                                           &PlannerNode::onStatusTimer, this);
@@ -74,7 +82,9 @@ class PlannerNode {
   /// Brings the replica up to date; the reason where that fails, else empty.
   std::string synchronise(const ros::Time& not_before) {
     try {
-      return takeEvidence(not_before);
+      std::string problem = takeEvidence(not_before);
+      if (problem.empty() && marker_) marker_->know(replica_.knowledge());
+      return problem;
     } catch (const InputError& error) {  // knowledge that the planner's method cannot use
       return error.what();
     }
@@ -165,7 +175,11 @@ class PlannerNode {
       tree_.publish(treeMarkers(plan.tree, parameters_.frames.world));
     }
     const Path dense = densify(plan.path, kColorDistance, kColorAngle);
-    markers_.publish(pathMarkers(dense, replica_.risksAlong(dense), parameters_.frames.world));
+    const std::vector<double> risks = replica_.risksAlong(dense);
+    markers_.publish(pathMarkers(dense, risks, parameters_.frames.world));
+    if (ghost_.getNumSubscribers() == 0) return;
+    ghost_.publish(
+        ghostMarkers(dense, risks, replica_.knowledge().object, parameters_.frames.world));
   }
 
   bool onCheck(smore_msgs::CheckPose::Request& request, smore_msgs::CheckPose::Response& response) {
@@ -173,14 +187,18 @@ class PlannerNode {
     response.message = pose ? synchronise(ros::Time()) : pose.reason();
     response.success = static_cast<unsigned char>(response.message.empty());
     if (!response.message.empty()) return true;
-    const PoseAssessment assessment = replica_.assess(*pose, start_);
+    const PoseAssessment assessment = replica_.knowledge().assess(*pose);
     response.valid = static_cast<unsigned char>(assessment.valid);
     response.risk = assessment.risk;
-    if (!assessment.valid) {
-      const std::string outside = space_.whyOutside(*pose);
-      response.message = outside.empty() ? "the object would touch what is occupied" : outside;
-    }
+    response.message = assessment.problem;
     return true;
+  }
+
+  /// The mapping begins anew, after a reset or with what it was told: what is shown follows at
+  /// once.
+  void onSource(const smore_msgs::EvidenceSource& /*message*/) {
+    const std::string problem = synchronise(ros::Time());
+    if (!problem.empty()) ROS_WARN_STREAM(problem);
   }
 
   void onStatusTimer(const ros::WallTimerEvent& /*event*/) { statuses_.publishIfDue(); }
@@ -192,15 +210,15 @@ class PlannerNode {
   }
 
   PlannerNodeParameters parameters_;
-  Pose start_;
-  MotionSpace space_;
   MethodReplica replica_;
   std::uint64_t revision_ = 0;
   ros::Time stamp_;
   ros::NodeHandle node_;
   ros::ServiceClient maps_;
-  ros::Publisher path_, markers_, tree_;
+  ros::Publisher path_, markers_, ghost_, tree_;
   ros::ServiceServer plan_, touch_, check_;
+  ros::Subscriber source_;
+  std::unique_ptr<GoalMarker> marker_;  ///< null where the task has no goal
   PlannerStatus status_;
   StatusPublisher statuses_;
   ros::CallbackQueue status_queue_;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/ros/scene_markers.h"
 
-#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "smore/kinematics/urdf_model.h"
+#include "smore/ros/marker_parts.h"
 
 namespace smore {
 namespace {
@@ -14,49 +16,6 @@ constexpr float kSceneOpacity = 0.35F;  // the maps are to be seen through the t
 constexpr double kLineWidth = 0.004;    // [m]
 constexpr double kPathWidth = 0.01;     // [m]
 constexpr double kTreeWidth = 0.001;    // [m]
-
-std_msgs::ColorRGBA color(float red, float green, float blue, float alpha) {
-  std_msgs::ColorRGBA result;
-  result.r = red;
-  result.g = green;
-  result.b = blue;
-  result.a = alpha;
-  return result;
-}
-
-// Cyan for 0 to purple for 1, as the paper's figure 5 has it.
-std_msgs::ColorRGBA riskColor(double risk) {
-  const float share = static_cast<float>(std::clamp(risk, 0.0, 1.0));
-  return color(0.6F * share, 1.0F - share, 1.0F - 0.2F * share, 1.0F);
-}
-
-geometry_msgs::Point toPoint(const Vec3& vector) {
-  geometry_msgs::Point point;
-  point.x = vector.x();
-  point.y = vector.y();
-  point.z = vector.z();
-  return point;
-}
-
-geometry_msgs::Vector3 toScale(double x, double y, double z) {
-  geometry_msgs::Vector3 scale;
-  scale.x = x;
-  scale.y = y;
-  scale.z = z;
-  return scale;
-}
-
-visualization_msgs::Marker makeMarker(const std::string& frame, const std::string& space, size_t id,
-                                      int type) {
-  visualization_msgs::Marker marker;
-  marker.header.frame_id = frame;
-  marker.ns = space;
-  marker.id = static_cast<int>(id);
-  marker.type = type;
-  marker.action = visualization_msgs::Marker::ADD;
-  marker.pose = toMessage(Pose::Identity());
-  return marker;
-}
 
 struct GeometryToMarker {
   visualization_msgs::Marker* marker;
@@ -97,6 +56,47 @@ void addShapes(const std::vector<Shape>& shapes, const std::string& frame, const
   }
 }
 
+/// How far from the line it may lie, at `along` [m] from its nearest point to the origin: two
+/// standard deviations [m].
+double doubtAt(const LineOfAction& line, double along) {
+  return 2.0 * std::hypot(line.offset_stddev, line.direction_stddev * along);
+}
+
+/// The skin of the doubt about one line: a tube that opens to both ends.
+void addTube(const LineOfAction& line, double half_length, visualization_msgs::Marker* marker) {
+  constexpr int kRings = 8;
+  constexpr int kSides = 12;
+  const Vec3 across = line.direction.unitOrthogonal();
+  const Vec3 up = line.direction.cross(across);
+  const auto at = [&](int ring, int side) {
+    const double along = half_length * (2.0 * ring / kRings - 1.0);
+    const double angle = 2.0 * M_PI * side / kSides;
+    return toPoint(line.point + along * line.direction +
+                   doubtAt(line, along) * (std::cos(angle) * across + std::sin(angle) * up));
+  };
+  for (int ring = 0; ring < kRings; ++ring) {
+    for (int side = 0; side < kSides; ++side) {
+      for (const auto& [r, s] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}) {
+        marker->points.push_back(at(ring + r, side + s));
+      }
+    }
+  }
+}
+
+visualization_msgs::Marker doubtMarker(const std::vector<LineOfAction>& lines, double half_length,
+                                       const std::string& frame) {
+  visualization_msgs::Marker marker =
+      makeMarker(frame, "uncertainty", 0, visualization_msgs::Marker::TRIANGLE_LIST);
+  marker.scale = toScale(1.0, 1.0, 1.0);
+  marker.color = makeColor(0.9F, 0.5F, 0.1F, 0.12F);
+  marker.frame_locked = true;
+  for (const LineOfAction& line : lines) {
+    if (doubtAt(line, half_length) > 0.0) addTube(line, half_length, &marker);
+  }
+  if (marker.points.empty()) marker.action = visualization_msgs::Marker::DELETE;
+  return marker;
+}
+
 std::optional<Shape> visualShape(const urdf::Visual& visual) {
   const Pose pose = toPose(visual.origin);
   switch (visual.geometry ? visual.geometry->type : urdf::Geometry::MESH) {
@@ -117,9 +117,9 @@ std::optional<Shape> visualShape(const urdf::Visual& visual) {
 }
 
 std_msgs::ColorRGBA colorOf(const urdf::Visual& visual) {
-  if (!visual.material) return color(0.6F, 0.6F, 0.6F, 1.0F);
+  if (!visual.material) return makeColor(0.6F, 0.6F, 0.6F, 1.0F);
   const urdf::Color& shade = visual.material->color;
-  return color(shade.r, shade.g, shade.b, shade.a);
+  return makeColor(shade.r, shade.g, shade.b, shade.a);
 }
 
 }  // namespace
@@ -127,8 +127,8 @@ std_msgs::ColorRGBA colorOf(const urdf::Visual& visual) {
 visualization_msgs::MarkerArray sceneMarkers(const Scenario& scenario, const FrameNames& frames) {
   visualization_msgs::MarkerArray array;
   addShapes(scenario.environment, frames.world, "environment",
-            color(0.45F, 0.45F, 0.5F, kSceneOpacity), &array);
-  addShapes(scenario.object, frames.object, "object", color(0.25F, 0.45F, 0.9F, kSceneOpacity),
+            makeColor(0.45F, 0.45F, 0.5F, kSceneOpacity), &array);
+  addShapes(scenario.object, frames.object, "object", makeColor(0.25F, 0.45F, 0.9F, kSceneOpacity),
             &array);
   return array;
 }
@@ -153,7 +153,7 @@ visualization_msgs::MarkerArray lineMarkers(const std::vector<LineOfAction>& lin
   visualization_msgs::Marker marker =
       makeMarker(frames.object, "lines", 0, visualization_msgs::Marker::LINE_LIST);
   marker.scale.x = kLineWidth;
-  marker.color = color(0.9F, 0.5F, 0.1F, 0.5F);
+  marker.color = makeColor(0.9F, 0.5F, 0.1F, 0.5F);
   marker.frame_locked = true;
   for (const LineOfAction& line : lines) {
     marker.points.push_back(toPoint(line.point - half_length * line.direction));
@@ -161,6 +161,7 @@ visualization_msgs::MarkerArray lineMarkers(const std::vector<LineOfAction>& lin
   }
   if (lines.empty()) marker.action = visualization_msgs::Marker::DELETE;
   array.markers.push_back(marker);
+  array.markers.push_back(doubtMarker(lines, half_length, frames.object));
   return array;
 }
 
@@ -185,7 +186,7 @@ visualization_msgs::MarkerArray treeMarkers(const std::vector<TreeEdge>& tree,
   visualization_msgs::Marker marker =
       makeMarker(frame, "tree", 0, visualization_msgs::Marker::LINE_LIST);
   marker.scale.x = kTreeWidth;
-  marker.color = color(0.9F, 0.9F, 0.6F, 0.6F);
+  marker.color = makeColor(0.9F, 0.9F, 0.6F, 0.6F);
   for (const TreeEdge& edge : tree) {
     marker.points.push_back(toPoint(edge.from));
     marker.points.push_back(toPoint(edge.to));

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "retrieval_commands.h"
 
-#include <ros/topic.h>
 #include <std_msgs/Float64.h>
+#include <std_msgs/Int32.h>
 #include <std_srvs/Trigger.h>
 
 #include <iomanip>
 #include <sstream>
 
-#include "smore/ros/conversions.h"
 #include "smore/ros/interruptible_call.h"
+#include "smore/ros/messages.h"
 #include "smore/ros/names.h"
+#include "smore/ros/plan_from_here.h"
 
 namespace smore {
 namespace {
 
 constexpr double kStopPatience = 0.5;  // that the retrieval has to answer [s of wall time]
-constexpr double kPosePatience = 2.0;  // to hear where the object is [s of ROS time]
 
 /// Calls it and gives its message, which says success and failure alike.
 template <typename Service>
@@ -36,22 +36,6 @@ std::string stopBy(const ros::ServiceClient& retrieval, const ros::ServiceClient
   return "nobody answers: use the robot's own stop";
 }
 
-std::string planTo(const Pose& goal, ros::NodeHandle node, ros::ServiceClient planner) {
-  const auto here = ros::topic::waitForMessage<smore_msgs::ContactObservation>(
-      names::kContact, node, ros::Duration(kPosePatience));
-  if (!here) return "no contact observation says where the object is; is the listener running?";
-  smore_msgs::PlanPath call;
-  call.request.start.header.frame_id = here->world_frame;
-  call.request.start.pose = here->pose;
-  call.request.goal.header.frame_id = here->world_frame;
-  call.request.goal.pose = toMessage(goal);
-  if (!planner.call(call)) return "the planner does not answer; is its node up?";
-  if (call.response.success == 0) return call.response.message;
-  std::ostringstream said;
-  said << std::fixed << std::setprecision(2) << "touches with probability " << call.response.risk;
-  return said.str();
-}
-
 }  // namespace
 
 RetrievalCommands::RetrievalCommands(const ros::NodeHandle& node) : node_(node) {
@@ -60,21 +44,27 @@ RetrievalCommands::RetrievalCommands(const ros::NodeHandle& node) : node_(node) 
   constexpr bool kLatched = true;
   shown_ =
       node_.advertise<std_msgs::Float64>(names::kShownProbability, names::kLatestQueue, kLatched);
+  world_ = node_.advertise<std_msgs::Int32>(names::kShownWorld, names::kLatestQueue, kLatched);
 }
 
-void RetrievalCommands::retrieve() {
-  runner_.start(kRetrieve, [goals = goals_] {
+void RetrievalCommands::begin(const char* command, const Goal& goal) {
+  smore_msgs::RetrieveActionGoal message;
+  if (goal) message.goal.goal = *goal;
+  runner_.start(command, [message, goals = goals_] {
     if (goals.getNumSubscribers() == 0) return "nobody takes goals; is the retrieval node up?";
-    goals.publish(smore_msgs::RetrieveActionGoal());
+    goals.publish(message);
     return "begun";
   });
 }
 
-void RetrievalCommands::plan(const std::optional<Pose>& goal) {
-  const auto planner = node_.serviceClient<smore_msgs::PlanPath>(names::kPlanPath);
-  runner_.start(kPlan, [goal, node = node_, planner]() -> std::string {
-    if (!goal) return "nobody says what the goal is; is the mapping node up?";
-    return planTo(*goal, node, planner);
+void RetrievalCommands::plan(const Goal& goal) {
+  runner_.start(kPlan, [goal, node = node_]() -> std::string {
+    if (!goal) return "no goal is marked: is the planner node up, and the task a retrieval?";
+    const Result<double> risk = planFromHere(node, *goal);
+    if (!risk) return risk.reason();
+    std::ostringstream said;
+    said << std::fixed << std::setprecision(2) << "touches with probability " << *risk;
+    return said.str();
   });
 }
 
@@ -108,6 +98,12 @@ void RetrievalCommands::showFrom(double probability) {
   std_msgs::Float64 message;
   message.data = probability;
   shown_.publish(message);
+}
+
+void RetrievalCommands::showWorld(int rank) {
+  std_msgs::Int32 message;
+  message.data = rank;
+  world_.publish(message);
 }
 
 void RetrievalCommands::trigger(const char* command, const char* service) {

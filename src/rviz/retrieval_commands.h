@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <geometry_msgs/PoseStamped.h>
 #include <ros/ros.h>
 
 #include <optional>
 #include <string>
 
 #include "command_runner.h"
-#include "smore/common/geometry.h"
-
 namespace smore {
 
 /// What a person can tell the nodes of one namespace to do. Each call returns at once; `answer`
@@ -18,6 +17,7 @@ class RetrievalCommands {
   /// Names of commands, as people read them.
   static constexpr char kRetrieve[] = "retrieve";
   static constexpr char kPlan[] = "plan only";
+  static constexpr char kExecute[] = "execute";
   static constexpr char kStop[] = "stop";
   static constexpr char kClear[] = "clear the fault";
   static constexpr char kTare[] = "tare";
@@ -29,11 +29,18 @@ class RetrievalCommands {
   /// `node`: in the namespace of the nodes.
   explicit RetrievalCommands(const ros::NodeHandle& node);
 
-  /// Begins the scenario's task: a retrieval to its goal, or a reconstruction.
-  void retrieve();
+  /// A goal, T_world_object; nothing: the scenario's.
+  using Goal = std::optional<geometry_msgs::PoseStamped>;
 
-  /// Shows the way from where the object is to `goal`, T_world_object; nothing moves.
-  void plan(const std::optional<Pose>& goal);
+  /// Begins the scenario's task: a retrieval to `goal`, or a reconstruction, which has none.
+  void retrieve(const Goal& goal) { begin(kRetrieve, goal); }
+
+  /// Shows the way from where the object is to `goal`; nothing moves.
+  void plan(const Goal& goal);
+
+  /// Begins a retrieval to `goal`, the end of a way that has been shown. It plans anew by what is
+  /// known then.
+  void execute(const Goal& goal) { begin(kExecute, goal); }
 
   /// Stops the robot and ends the retrieval. Where the retrieval does not answer in half a second,
   /// the guard stops the robot.
@@ -53,14 +60,18 @@ class RetrievalCommands {
   /// Shows voxels of the maps from this probability on, in (0, 1].
   void showFrom(double probability);
 
+  /// Shows one of the sampled worlds, by its rank, from 1 for the most likely on; 0: none.
+  void showWorld(int rank);
+
   bool running(const std::string& command) const { return runner_.running(command); }
   std::string answer() const { return runner_.answer(); }
 
  private:
+  void begin(const char* command, const Goal& goal);
   void trigger(const char* command, const char* service);
 
   ros::NodeHandle node_;
-  ros::Publisher goals_, shown_;
+  ros::Publisher goals_, shown_, world_;
   CommandRunner runner_;
 };
 

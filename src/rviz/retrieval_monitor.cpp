@@ -6,16 +6,17 @@
 #include "smore/common/result.h"
 #include "smore/retrieval/evidence.h"
 #include "smore/ros/conversions.h"
+#include "smore/ros/goal_states.h"
 #include "smore/ros/names.h"
 
 namespace smore {
 namespace {
 
 using Diagnostic = diagnostic_msgs::DiagnosticStatus;
-using GoalStatus = actionlib_msgs::GoalStatus;
 
-constexpr double kOldStatus = 5.0;  // [s]: as the standard viewers have it
-constexpr double kOldForce = 1.0;   // [s]
+constexpr double kOldStatus = 5.0;   // [s]: as the standard viewers have it
+constexpr double kOldForce = 1.0;    // [s]
+constexpr double kSamePlace = 1e-3;  // more than rounding, less than anybody drags [m + rad]
 
 std::string phaseInWords(const std::string& phase) {
   static const std::map<std::string, std::string> words = {
@@ -35,11 +36,6 @@ std::string phaseOf(const RetrievalView& view, const std::string& phase) {
   return phase.empty() ? "getting ready" : phaseInWords(phase);
 }
 
-bool isPending(const GoalStatus& goal) {
-  return goal.status == GoalStatus::PENDING || goal.status == GoalStatus::ACTIVE ||
-         goal.status == GoalStatus::PREEMPTING || goal.status == GoalStatus::RECALLING;
-}
-
 /// Names of statuses begin with the namespace, without its first slash.
 std::string statusPrefix(const std::string& space) {
   const std::string name = space.substr(1);
@@ -51,6 +47,13 @@ std::string statusPrefix(const std::string& space) {
 std::string NodeStatus::value(const std::string& key, const std::string& otherwise) const {
   const auto found = values.find(key);
   return found == values.end() ? otherwise : found->second;
+}
+
+bool RetrievalView::wayLeadsToGoal() const {
+  if (!goal || !way_end || goal->header.frame_id != way_end->header.frame_id) return false;
+  const Result<Pose> wanted = fromMessage(goal->pose);
+  const Result<Pose> shown = fromMessage(way_end->pose);
+  return wanted && shown && gapBetween(*wanted, *shown) < kSamePlace;
 }
 
 RetrievalMonitor::RetrievalMonitor(const ros::NodeHandle& node)
@@ -70,6 +73,9 @@ void RetrievalMonitor::subscribe() {
   fault_ = node_.subscribe(names::kGuardFault, kQueue, &RetrievalMonitor::onFault, this);
   source_ = node_.subscribe(names::kEvidenceSource, names::kLatestQueue,
                             &RetrievalMonitor::onSource, this);
+  marked_ =
+      node_.subscribe(names::kMarkedGoal, names::kLatestQueue, &RetrievalMonitor::onMarked, this);
+  path_ = node_.subscribe(names::kPath, names::kLatestQueue, &RetrievalMonitor::onPath, this);
   diagnostics_ = node_.subscribe("/diagnostics", kQueue, &RetrievalMonitor::onDiagnostics, this);
 }
 
@@ -97,7 +103,7 @@ void RetrievalMonitor::onStatus(const actionlib_msgs::GoalStatusArray& message) 
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto present = std::find_if(
       message.status_list.begin(), message.status_list.end(),
-      [this](const auto& goal) { return isPending(goal) && goal.goal_id.id != finished_; });
+      [this](const auto& goal) { return isUnderWay(goal) && goal.goal_id.id != finished_; });
   view_.active = present != message.status_list.end();
   if (view_.active) beginGoal(present->goal_id.id);
 }
@@ -139,6 +145,17 @@ void RetrievalMonitor::onFault(const std_msgs::String& message) {
   view_.fault = message.data;
 }
 
+void RetrievalMonitor::onMarked(const geometry_msgs::PoseStamped& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  view_.goal = message;
+}
+
+void RetrievalMonitor::onPath(const nav_msgs::Path& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  view_.way_end.reset();
+  if (!message.poses.empty()) view_.way_end = message.poses.back();
+}
+
 void RetrievalMonitor::onForce(const geometry_msgs::WrenchStamped& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   force_sum_ += fromMessage(message.wrench).force;
@@ -151,7 +168,6 @@ void RetrievalMonitor::onSource(const smore_msgs::EvidenceSource& message) {
     const Scenario task = readEvidenceSource(message.records, names::kEvidenceSource).task;
     const std::lock_guard<std::mutex> lock(mutex_);
     view_.reconstructs = task.task == Task::kReconstruct;
-    view_.goal = task.goal;
   } catch (const InputError& error) {
     ROS_WARN_STREAM(error.what());
   }

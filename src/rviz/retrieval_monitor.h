@@ -3,7 +3,9 @@
 
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
+#include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
+#include <nav_msgs/Path.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <std_msgs/String.h>
@@ -40,8 +42,12 @@ struct RetrievalView {
   std::optional<double> force;       ///< mean since the last view, bias and weight taken off [N]
   std::string fault;          ///< why the guard lets nothing move; empty: it does, or is none
   bool reconstructs = false;  ///< whether the task is to reconstruct
-  std::optional<Pose> goal;   ///< of the task, T_world_object
-  std::map<std::string, NodeStatus> statuses;  ///< by "NODE: NAME"
+  std::optional<geometry_msgs::PoseStamped> goal;     ///< that is marked, T_world_object
+  std::optional<geometry_msgs::PoseStamped> way_end;  ///< of the last way that was shown
+  std::map<std::string, NodeStatus> statuses;         ///< by "NODE: NAME"
+
+  /// Whether the last way that was shown leads to the goal that is marked.
+  bool wayLeadsToGoal() const;
 };
 
 /// Follows the topics of the nodes of one namespace, in a thread of its own.
@@ -59,6 +65,8 @@ class RetrievalMonitor {
   void beginGoal(const std::string& goal);
   void onFeedback(const smore_msgs::RetrieveActionFeedback& message);
   void onResult(const smore_msgs::RetrieveActionResult& message);
+  void onMarked(const geometry_msgs::PoseStamped& message);
+  void onPath(const nav_msgs::Path& message);
   void onForce(const geometry_msgs::WrenchStamped& message);
   void onFault(const std_msgs::String& message);
   void onSource(const smore_msgs::EvidenceSource& message);
@@ -72,7 +80,8 @@ class RetrievalMonitor {
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   std::string prefix_;  ///< of the names of our nodes' statuses
-  ros::Subscriber status_, feedback_, result_, force_, source_, fault_, diagnostics_;
+  ros::Subscriber status_, feedback_, result_, force_, source_, fault_, diagnostics_, marked_,
+      path_;
 
   std::mutex mutex_;  ///< guards all below
   RetrievalView view_;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "panel_colors.h"
+#include "smore/mapping/mask_bricks.h"
 
 namespace smore {
 namespace {
@@ -52,6 +53,14 @@ QLabel* makeLabel(const char* name) {
   return label;
 }
 
+QLayout* makeSliderRow(QLabel* label, QSlider* slider) {
+  auto* row = new QHBoxLayout;
+  label->setWordWrap(false);
+  row->addWidget(label);
+  row->addWidget(slider);
+  return row;
+}
+
 }  // namespace
 
 RetrievalWidget::RetrievalWidget(RetrievalMonitor* monitor, RetrievalCommands* commands,
@@ -65,6 +74,7 @@ RetrievalWidget::RetrievalWidget(RetrievalMonitor* monitor, RetrievalCommands* c
   column->addLayout(makeButtons());
   column->addLayout(makeFileRow());
   column->addLayout(makeShownRow());
+  column->addLayout(makeWorldRow());
   column->addWidget(answer_ = makeLabel("answer"));
   column->addLayout(form_);
   guard_ = addLine("Guard", "guard");
@@ -109,15 +119,20 @@ QLayout* RetrievalWidget::makeButtons() {
           .arg(kWrongColor.name()));
   constexpr int kColumns = 2;
   grid->addWidget(stop, 0, 0, 1, kColumns);
-  retrieve_ = makeButton(Name::kRetrieve, [this] { commands_->retrieve(); });
+  retrieve_ = makeButton(Name::kRetrieve, [this] { commands_->retrieve(goal_); });
+  QPushButton* plan = makeButton(Name::kPlan, [this] { commands_->plan(goal_); });
+  plan->setToolTip("shows the way to the marked goal, and its risk; nothing moves");
+  execute_ = makeButton(Name::kExecute, [this] { commands_->execute(goal_); });
+  execute_->setToolTip("brings the object to the end of the way that is shown");
   clear_ = makeButton(Name::kClear, [this] { commands_->clearFault(); });
   const std::vector<QPushButton*> others = {
+      plan,
+      execute_,
       retrieve_,
-      makeButton(Name::kPlan, [this] { commands_->plan(goal_); }),
+      clear_,
       makeButton(Name::kTare, [this] { commands_->tare(); }),
       makeButton(Name::kIdentify, [this] { commands_->identifyPayload(); }),
       makeButton(Name::kReset, [this] { commands_->resetMaps(); }),
-      clear_,
   };
   for (int i = 0; i < static_cast<int>(others.size()); ++i) {
     grid->addWidget(others[i], 1 + i / kColumns, i % kColumns);
@@ -145,9 +160,7 @@ QLayout* RetrievalWidget::makeFileRow() {
 }
 
 QLayout* RetrievalWidget::makeShownRow() {
-  auto* row = new QHBoxLayout;
   shown_label_ = makeLabel("shown from");
-  shown_label_->setWordWrap(false);
   shown_ = new QSlider(Qt::Horizontal);
   shown_->setObjectName("shown");
   shown_->setRange(1, kHundred);
@@ -155,9 +168,25 @@ QLayout* RetrievalWidget::makeShownRow() {
     follows_shown_ = false;
     commands_->showFrom(static_cast<double>(hundredths) / kHundred);
   });
-  row->addWidget(shown_label_);
-  row->addWidget(shown_);
-  return row;
+  return makeSliderRow(shown_label_, shown_);
+}
+
+QLayout* RetrievalWidget::makeWorldRow() {
+  world_label_ = makeLabel("sampled world");
+  auto* world = new QSlider(Qt::Horizontal);
+  world->setObjectName("world");
+  world->setRange(0, kHypotheses);
+  const auto say = [this](int rank) {
+    world_label_->setText(rank == 0
+                              ? QString("Sampled world: none")
+                              : QString("Sampled world: %1 of %2").arg(rank).arg(kHypotheses));
+  };
+  say(0);
+  QObject::connect(world, &QSlider::valueChanged, this, [this, say](int rank) {
+    say(rank);
+    commands_->showWorld(rank);
+  });
+  return makeSliderRow(world_label_, world);
 }
 
 void RetrievalWidget::followShown(const RetrievalView& view) {
@@ -252,6 +281,7 @@ void RetrievalWidget::enableButtons(const RetrievalView& view) {
   }
   retrieve_->setText(view.reconstructs ? "Reconstruct" : "Retrieve");
   if (view.active) retrieve_->setEnabled(false);
+  if (view.active || !view.wayLeadsToGoal()) execute_->setEnabled(false);
   if (view.fault.empty()) clear_->setEnabled(false);
 }
 

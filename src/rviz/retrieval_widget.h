@@ -36,6 +36,7 @@ class RetrievalWidget : public QWidget {
   QLayout* makeButtons();
   QLayout* makeFileRow();
   QLayout* makeShownRow();
+  QLayout* makeWorldRow();
   void followShown(const RetrievalView& view);
   void refresh();
   void showStatuses(const RetrievalView& view);
@@ -50,15 +51,15 @@ class RetrievalWidget : public QWidget {
   QLabel *phase_, *outcome_, *progress_;
   ForceBar* bar_;
   QLabel *guard_, *wrench_, *sensor_, *maps_, *plans_, *answer_;
-  QPushButton *retrieve_ = nullptr, *clear_ = nullptr;
+  QPushButton *retrieve_ = nullptr, *execute_ = nullptr, *clear_ = nullptr;
   QLineEdit* file_ = nullptr;
   QCheckBox* overwrite_ = nullptr;
   std::vector<std::pair<QPushButton*, std::string>> buttons_;  ///< and their commands
   QSlider* shown_ = nullptr;  ///< least probability of the voxels shown, in hundredths
-  QLabel* shown_label_ = nullptr;
+  QLabel *shown_label_ = nullptr, *world_label_ = nullptr;
   bool follows_shown_ = true;  ///< until it is moved: what the mapping shows by itself
   QTimer timer_;
-  std::optional<Pose> goal_;  ///< of the task, T_world_object
+  RetrievalCommands::Goal goal_;  ///< that is marked
 };
 
 }  // namespace smore

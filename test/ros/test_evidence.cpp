@@ -155,12 +155,15 @@ TEST_P(Replica, KnowsWhatTheMappingIsTold) {
     ahead.known.set({5, y, 0}, 1.0F);
   }
   const Pose touching = makePose({0.3, 0.0, 0.0});
-  const double before = replica_.assess(touching, Pose::Identity()).risk;
+  const double before = replica_.knowledge().assess(touching).risk;
+  const PoseKnowledge untold = replica_.knowledge();
   keeper_.know(MapSide::kWorld, ahead);
   keeper_.know(MapSide::kObject, in_hand);
   ASSERT_TRUE(replica_.extend(partFrom(0)));
-  EXPECT_GT(replica_.assess(touching, Pose::Identity()).risk, std::max(before, 0.9));
-  EXPECT_LT(replica_.assess(Pose::Identity(), Pose::Identity()).risk, 0.1);
+  EXPECT_EQ(untold.assess(touching).risk, before) << "it stays as it was";
+  EXPECT_GT(replica_.knowledge().object.keys.size(), untold.object.keys.size());
+  EXPECT_GT(replica_.knowledge().assess(touching).risk, std::max(before, 0.9));
+  EXPECT_LT(replica_.knowledge().assess(Pose::Identity()).risk, 0.1);
 }
 
 TEST_P(Replica, RefusesPartsThatLeaveAGapOrDoNotMakeTheSameMaps) {
@@ -176,8 +179,8 @@ TEST_P(Replica, RefusesPartsThatLeaveAGapOrDoNotMakeTheSameMaps) {
 }
 
 TEST_P(Replica, AssessesPosesByTheWorkspace) {
-  EXPECT_TRUE(replica_.assess(Pose::Identity(), Pose::Identity()).valid);
-  EXPECT_FALSE(replica_.assess(makePose({3.0, 0.0, 0.0}), Pose::Identity()).valid);
+  EXPECT_TRUE(replica_.knowledge().assess(Pose::Identity()).valid);
+  EXPECT_FALSE(replica_.knowledge().assess(makePose({3.0, 0.0, 0.0})).valid);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, Replica,

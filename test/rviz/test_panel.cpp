@@ -4,73 +4,18 @@
 #include <octomap_msgs/Octomap.h>
 #include <ros/topic.h>
 #include <std_msgs/Float64.h>
-#include <std_srvs/Trigger.h>
+#include <visualization_msgs/MarkerArray.h>
 
-#include <QApplication>
 #include <QRegularExpression>
-#include <QtTest>
 #include <atomic>
 #include <future>
+#include <mutex>
 
-#include "../../src/rviz/retrieval_widget.h"
 #include "smore/ros/names.h"
+#include "tested_panel.h"
 
 namespace smore {
 namespace {
-
-constexpr int kDeadline = 40000;  // [ms]; only failing tests wait so long
-
-/// The panel of the nodes in one namespace.
-class TestedPanel {
- public:
-  explicit TestedPanel(const std::string& space)
-      : monitor_(ros::NodeHandle(space)),
-        commands_(ros::NodeHandle(space)),
-        widget_(&monitor_, &commands_) {
-    widget_.show();
-  }
-
-  QString text(const char* label) const { return widget_.findChild<QLabel*>(label)->text(); }
-
-  bool shows(const char* label, const QString& words) const {
-    return QTest::qWaitFor([&] { return text(label).contains(words); }, kDeadline);
-  }
-
-  QPushButton* button(const char* name) const { return widget_.findChild<QPushButton*>(name); }
-
-  bool click(const char* name) const {
-    if (!QTest::qWaitFor([&] { return button(name)->isEnabled(); }, kDeadline)) return false;
-    QTest::mouseClick(button(name), Qt::LeftButton);
-    return true;
-  }
-
-  template <typename Child>
-  Child* child(const char* name) const {
-    return widget_.findChild<Child*>(name);
-  }
-
- private:
-  RetrievalMonitor monitor_;
-  RetrievalCommands commands_;
-  RetrievalWidget widget_;
-};
-
-/// The object at the start of a simulation, and maps of nothing.
-class Panel : public testing::Test {
- protected:
-  void SetUp() override {
-    const ros::NodeHandle node("smore");
-    std_srvs::Trigger call;
-    ASSERT_TRUE(ros::service::waitForService("/smore/simulator/reset", kDeadline));
-    ASSERT_TRUE(ros::service::call("/smore/simulator/reset", call));
-    ASSERT_TRUE(panel_.shows("phase", "waiting for a goal"));
-    ASSERT_TRUE(panel_.shows("sensor", "tared"));
-    ASSERT_TRUE(panel_.click(RetrievalCommands::kReset));
-    ASSERT_TRUE(panel_.shows("answer", "all observations are forgotten"));
-  }
-
-  TestedPanel panel_{"smore"};
-};
 
 TEST_F(Panel, BringsTheObjectToTheGoal) {
   ASSERT_TRUE(panel_.click(RetrievalCommands::kRetrieve));
@@ -84,6 +29,43 @@ TEST_F(Panel, BringsTheObjectToTheGoal) {
                                                                               ros::Duration(10));
   ASSERT_TRUE(now);
   EXPECT_NEAR(now->pose.position.x, -0.3, 0.03);
+}
+
+TEST_F(Panel, ShowsTheSampledWorldOfTheSlider) {
+  std::mutex mutex;
+  std::string label;
+  ros::NodeHandle node;
+  const boost::function<void(const visualization_msgs::MarkerArray::ConstPtr&)> look =
+      [&](const auto& message) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        label = message->markers.back().text;
+      };
+  const ros::Subscriber worlds = node.subscribe("/smore/sampled_world", 1, look);
+  const auto says = [&](const std::string& words) {
+    return QTest::qWaitFor(
+        [&] {
+          const std::lock_guard<std::mutex> lock(mutex);
+          return label.rfind(words, 0) == 0;
+        },
+        kDeadline);
+  };
+  ASSERT_TRUE(panel_.click(RetrievalCommands::kRetrieve));
+  ASSERT_TRUE(panel_.shows("progress", "contacts <b>1"));
+  for (const int rank : {3, 64}) {
+    panel_.child<QSlider>("world")->setValue(rank);
+    EXPECT_TRUE(panel_.shows("sampled world", QString("%1 of 64").arg(rank)));
+    EXPECT_TRUE(says("world " + std::to_string(rank) + " of 64, probability")) << label;
+  }
+  panel_.child<QSlider>("world")->setValue(0);
+  EXPECT_TRUE(panel_.shows("sampled world", "none"));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        const std::lock_guard<std::mutex> lock(mutex);
+        return label.empty();
+      },
+      kDeadline));
+  ASSERT_TRUE(panel_.click(RetrievalCommands::kStop));
+  EXPECT_TRUE(panel_.shows("phase", "waiting for a goal"));
 }
 
 TEST_F(Panel, StopsARetrievalThatHasJustBegunAndOneThatMoves) {

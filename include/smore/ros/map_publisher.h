@@ -8,6 +8,7 @@
 
 #include "smore/ros/map_conversions.h"
 #include "smore/ros/names.h"
+#include "smore/ros/revised_topic.h"
 
 namespace smore {
 
@@ -60,34 +61,11 @@ class MapPublisher {
   }
 
  private:
-  class Topic {
-   public:
-    template <typename Message>
-    void open(ros::NodeHandle* node, const char* name) {
-      publisher_ = node->advertise<Message>(name, names::kLatestQueue, true);
-    }
-    bool isDue(std::uint64_t revision) const {
-      return sent_ != revision + 1 && publisher_.getNumSubscribers() > 0;
-    }
-    /// What was sent counts no more.
-    void renew() { sent_ = 0; }
-    template <typename Make>
-    void send(std::uint64_t revision, Make make) {
-      if (!isDue(revision)) return;
-      publisher_.publish(make());
-      sent_ = revision + 1;
-    }
-
-   private:
-    ros::Publisher publisher_;
-    std::uint64_t sent_ = 0;  ///< revision last sent plus one; 0: none
-  };
-
   std::string frame_;
   MapColors colors_;
   double min_probability_;
   std::optional<std::size_t> voxels_;
-  Topic full_, binary_, posed_, cloud_, cells_;
+  RevisedTopic full_, binary_, posed_, cloud_, cells_;
 };
 
 }  // namespace smore

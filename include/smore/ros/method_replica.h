@@ -7,6 +7,7 @@
 
 #include "smore/contact/contact_observation.h"
 #include "smore/retrieval/method.h"
+#include "smore/ros/pose_knowledge.h"
 
 namespace smore {
 
@@ -17,12 +18,6 @@ struct EvidencePart {
   std::uint64_t first = 0;
   std::vector<ContactObservation> observations;
   std::uint64_t changes = 0;  ///< of the mapping's maps since its log began, with this part
-};
-
-/// Whether the object may be at a pose, and the probability that it touches there.
-struct PoseAssessment {
-  bool valid = false;
-  double risk = 0.0;  ///< in [0, 1]; for methods without risk 0 where valid, else 1
 };
 
 /// The same belief as in a mapping node, made from the same evidence, with a planner on it.
@@ -47,8 +42,9 @@ class MethodReplica {
   /// As TouchPlanner::nextTouch.
   Result<Path> nextTouch(const Pose& from) { return method_.touches->nextTouch(from); }
 
-  /// `known_free` is a pose where the object stands free: the start.
-  PoseAssessment assess(const Pose& T_world_object, const Pose& known_free) const;
+  /// What follows from what is here now; it stays as it is while the replica learns on. The start
+  /// of the scenario counts as a pose where the object stands free.
+  PoseKnowledge knowledge() const;
 
   /// Probability that the motion has touched when each pose of `path` is reached; zeros for methods
   /// without risk.
@@ -56,6 +52,7 @@ class MethodReplica {
 
  private:
   void restart(std::uint64_t epoch, const Priors& priors);
+  std::function<double(const Pose&)> riskOfPoses() const;
   /// Whether it remembers something else than maps, which have nothing to agree with.
   bool learnsNoMaps() const { return method_.memory != nullptr; }
 

@@ -34,6 +34,9 @@ constexpr char kPointCloud[] = "octomap_point_cloud_centers";
 constexpr char kOccupiedCells[] = "occupied_cells_vis_array";
 constexpr char kShownProbability[] = "shown_probability";
 constexpr char kContactLines[] = "contact_lines";
+constexpr char kContactPlaces[] = "contact_places";
+constexpr char kSampledWorld[] = "sampled_world";
+constexpr char kShownWorld[] = "shown_world";
 
 constexpr char kTwinMaps[] = "twin_maps";
 constexpr char kResetMaps[] = "reset";
@@ -57,7 +60,10 @@ constexpr char kPlanTouch[] = "plan_touch";
 constexpr char kCheckPose[] = "check_pose";
 constexpr char kPath[] = "path";
 constexpr char kPathMarkers[] = "path_risk";
+constexpr char kPathGhost[] = "path_ghost";
 constexpr char kPlanTree[] = "plan_tree";
+constexpr char kGoalMarker[] = "goal_marker";
+constexpr char kMarkedGoal[] = "marked_goal";
 
 constexpr char kRetrieve[] = "retrieve";
 constexpr char kStop[] = "stop";    ///< in the guard's private namespace too

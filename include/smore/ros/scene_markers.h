@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <std_msgs/ColorRGBA.h>
 #include <urdf_model/model.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -22,8 +21,9 @@ visualization_msgs::MarkerArray sceneMarkers(const Scenario& scenario, const Fra
 /// The visual shapes of a robot, each in the frame of its link. Meshes are left out. Stamped 0.
 visualization_msgs::MarkerArray robotMarkers(const urdf::ModelInterface& urdf);
 
-/// The lines of action as one marker, each `half_length` [m] to either side of its point, in the
-/// object frame.
+/// The lines of action as one marker `lines`, each `half_length` [m] to either side of its point,
+/// and as one marker `uncertainty` the tubes of two of their standard deviations around them, in
+/// the object frame.
 visualization_msgs::MarkerArray lineMarkers(const std::vector<LineOfAction>& lines,
                                             double half_length, const FrameNames& frames);
 

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+#include <std_msgs/Int32.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "smore/contact/line_of_action.h"
+#include "smore/mapping/twin_map.h"
+#include "smore/mapping/worlds.h"
+#include "smore/ros/conversions.h"
+#include "smore/ros/revised_topic.h"
+
+namespace smore {
+
+/// What the maps are the marginals of; null where their method samples no worlds.
+std::shared_ptr<const Worlds> worldsOf(const TwinMap& maps);
+
+/// What a mapping believes, for the eye, each on a topic that sends only what somebody looks at and
+/// what has changed: lines of action, the places where each contact may have been, and that of the
+/// sampled worlds which somebody asks for on `shown_world`.
+class BeliefDisplay {
+ public:
+  /// Lines are shown `line_half_length` [m] to either side. The queue of `node` is called by who
+  /// serves it.
+  BeliefDisplay(const ros::NodeHandle& node, const FrameNames& frames, double line_half_length);
+
+  /// Whether somebody looks at worlds or places of which not this revision was sent.
+  bool isDue(std::uint64_t revision);
+
+  /// Sends what is due of the worlds of this revision.
+  void publish(const Worlds& worlds, std::uint64_t revision);
+
+  /// Sends the lines, given in the object frame, where there are more or fewer than before.
+  void publish(const std::vector<LineOfAction>& lines);
+
+ private:
+  void onWish(const std_msgs::Int32& message);
+
+  FrameNames frames_;
+  double line_half_length_;
+  ros::NodeHandle node_;
+  std::atomic<int> wished_{0};  ///< rank of the world to be shown; 0: none
+  int shown_ = 0;               ///< that was shown last
+  RevisedTopic lines_, places_, world_;
+  ros::Subscriber wish_;
+};
+
+}  // namespace smore

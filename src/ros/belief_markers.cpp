@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/ros/belief_markers.h"
+
+#include <algorithm>
+#include <array>
+#include <iomanip>
+#include <map>
+#include <numeric>
+#include <sstream>
+#include <vector>
+
+#include "smore/ros/marker_parts.h"
+
+namespace smore {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+constexpr double kLetterHeight = 0.03;  // [m]
+
+HypothesisMask onlyWorld(int index) { return HypothesisMask{1} << index; }
+
+/// The index of the `rank`-th most likely world; of equally likely ones the first goes first.
+int worldOfRank(const SampledWorlds& sampled, int rank) {
+  std::array<double, kHypotheses> weight{};
+  for (int i = 0; i < kHypotheses; ++i) weight[i] = sampled.shareOf(onlyWorld(i));
+  std::array<int, kHypotheses> order{};
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return weight[a] > weight[b]; });
+  return order[rank - 1];
+}
+
+/// The places of one contact, each with the worlds that hold it to be there.
+std::map<std::array<double, 3>, HypothesisMask> placesOf(
+    const std::vector<std::optional<Vec3>>& in_worlds) {
+  std::map<std::array<double, 3>, HypothesisMask> places;
+  for (int i = 0; i < static_cast<int>(in_worlds.size()); ++i) {
+    if (!in_worlds[i]) continue;
+    const Vec3& place = *in_worlds[i];
+    places[{place.x(), place.y(), place.z()}] |= onlyWorld(i);
+  }
+  return places;
+}
+
+/// Draws the balls of the worlds of one unit of length.
+class WorldDrawing {
+ public:
+  WorldDrawing(const WorldsAtUnit& part, HypothesisMask world, MarkerArray* array)
+      : part_(part), world_(world), array_(array) {}
+
+  /// `pose`: of the points' frame in `frame`.
+  void draw(const std::string& name, const std::vector<MaskedPoint>& points, double radius,
+            const std_msgs::ColorRGBA& color, const std::string& frame, const Pose& pose) {
+    Marker balls = makeMarker(frame, name, 0, Marker::SPHERE_LIST);
+    balls.pose = toMessage(pose);
+    balls.frame_locked = static_cast<unsigned char>(true);
+    balls.scale = toScale(2.0 * radius, 2.0 * radius, 2.0 * radius);
+    balls.color = color;
+    for (const MaskedPoint& ball : points) {
+      if ((ball.mask & world_) != 0) balls.points.push_back(toPoint(ball.point.cast<double>()));
+    }
+    if (!balls.points.empty()) array_->markers.push_back(balls);
+  }
+
+  void drawAll(const FrameNames& frames, const Pose& T_world_map) {
+    const Pose here = Pose::Identity();
+    draw("touched object", part_.object(), part_.radius(), kObject, frames.object, here);
+    draw("touched world", part_.world(), part_.radius(), kWorld, frames.world, T_world_map);
+    draw("known object", part_.knownObject(), part_.knownRadius(), kKnownObject, frames.object,
+         here);
+    draw("known world", part_.knownWorld(), part_.knownRadius(), kKnownWorld, frames.world,
+         T_world_map);
+  }
+
+ private:
+  // Blue and orange, what was known beforehand paler: after Okabe and Ito.
+  const std_msgs::ColorRGBA kObject = makeColor(0.0F, 0.447F, 0.698F, 1.0F);
+  const std_msgs::ColorRGBA kWorld = makeColor(0.902F, 0.624F, 0.0F, 1.0F);
+  const std_msgs::ColorRGBA kKnownObject = makeColor(0.337F, 0.706F, 0.914F, 1.0F);
+  const std_msgs::ColorRGBA kKnownWorld = makeColor(0.941F, 0.894F, 0.259F, 1.0F);
+
+  const WorldsAtUnit& part_;
+  HypothesisMask world_;
+  MarkerArray* array_;
+};
+
+/// Yellow for what is unlikely to black for what is certain: light and dark.
+std_msgs::ColorRGBA likelihoodColor(double probability) {
+  const float rest = 1.0F - static_cast<float>(probability);
+  return makeColor(0.941F * rest, 0.894F * rest, 0.259F * rest, 1.0F);
+}
+
+Marker label(int rank, double probability, const std::string& frame) {
+  Marker text = makeMarker(frame, "label", 0, Marker::TEXT_VIEW_FACING);
+  std::ostringstream words;
+  words << std::fixed << std::setprecision(3) << "world " << rank << " of " << kHypotheses
+        << ", probability " << probability;
+  text.text = words.str();
+  text.scale.z = kLetterHeight;
+  text.color = makeColor(1.0F, 1.0F, 1.0F, 1.0F);
+  text.pose.position.z = 4.0 * kLetterHeight;
+  text.frame_locked = static_cast<unsigned char>(true);
+  return text;
+}
+
+}  // namespace
+
+MarkerArray placeMarkers(const Worlds& worlds, const std::string& frame) {
+  MarkerArray array;
+  Marker marker = makeMarker(frame, "places", 0, Marker::SPHERE_LIST);
+  const double size = worlds.feature.radius;
+  marker.scale = toScale(size, size, size);
+  marker.frame_locked = static_cast<unsigned char>(true);
+  for (const auto& [id, in_worlds] : worlds.touched) {
+    for (const auto& [place, mask] : placesOf(in_worlds)) {
+      marker.points.push_back(toPoint({place[0], place[1], place[2]}));
+      marker.colors.push_back(likelihoodColor(worlds.sampled.shareOf(mask)));
+    }
+  }
+  if (marker.points.empty()) marker.action = Marker::DELETE;
+  array.markers.push_back(marker);
+  return array;
+}
+
+MarkerArray sampledWorldMarkers(const Worlds& worlds, int rank, const FrameNames& frames) {
+  MarkerArray array;
+  array.markers.push_back(makeMarker(frames.world, "label", 0, Marker::CUBE));
+  array.markers.back().action = Marker::DELETEALL;
+  if (rank < 1 || rank > kHypotheses) return array;
+  const HypothesisMask world = onlyWorld(worldOfRank(worlds.sampled, rank));
+  const Pose T_world_map = worlds.frame.T_map_world().inverse();
+  for (const WorldsAtUnit& part : worlds.sampled.parts()) {
+    WorldDrawing(part, world, &array).drawAll(frames, T_world_map);
+  }
+  if (array.markers.size() == 1) return array;
+  array.markers.push_back(label(rank, worlds.sampled.shareOf(world), frames.object));
+  return array;
+}
+
+}  // namespace smore
