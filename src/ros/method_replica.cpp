@@ -8,6 +8,20 @@
 #include "smore/planning/occupied_voxels.h"
 
 namespace smore {
+namespace {
+
+/// What is more than unlikely. While little is known, nothing reaches what counts as occupied: the
+/// mapping, too, shows voxels from here on by default.
+OccupiedVoxels likelyVoxels(const VoxelGrid& grid) {
+  constexpr double kLikely = 0.3;
+  OccupiedVoxels voxels{grid.voxelSize(), {}};
+  for (const VoxelGrid::Voxel& voxel : grid.voxels()) {
+    if (voxel.probability >= kLikely) voxels.keys.push_back(voxel.key);
+  }
+  return voxels;
+}
+
+}  // namespace
 
 MethodReplica::MethodReplica(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
                              const MethodParameters& parameters)
@@ -44,7 +58,7 @@ PoseKnowledge MethodReplica::knowledge() const {
     assessment.valid = assessment.problem.empty();
     return assessment;
   };
-  return {occupiedVoxels(method_.maps->object()), assess};
+  return {likelyVoxels(method_.maps->object()), assess};
 }
 
 std::function<double(const Pose&)> MethodReplica::riskOfPoses() const {

@@ -17,7 +17,7 @@ struct PoseAssessment {
 
 /// What is known of the object and of where it may be, all of one moment: a value for any thread.
 struct PoseKnowledge {
-  OccupiedVoxels object;  ///< in the object frame
+  OccupiedVoxels object;  ///< to be drawn: those with P >= 0.3, in the object frame
   /// Of a pose T_world_object; from any thread.
   std::function<PoseAssessment(const Pose&)> assess;
 };
