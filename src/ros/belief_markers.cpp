@@ -64,22 +64,19 @@ class WorldDrawing {
   }
 
   void drawAll(const FrameNames& frames, const Pose& T_world_map) {
+    // Blue and orange, what was known beforehand paler: after Okabe and Ito.
+    const auto blue = makeColor(0.0F, 0.447F, 0.698F, 1.0F);
+    const auto orange = makeColor(0.902F, 0.624F, 0.0F, 1.0F);
+    const auto sky_blue = makeColor(0.337F, 0.706F, 0.914F, 1.0F);
+    const auto yellow = makeColor(0.941F, 0.894F, 0.259F, 1.0F);
     const Pose here = Pose::Identity();
-    draw("touched object", part_.object(), part_.radius(), kObject, frames.object, here);
-    draw("touched world", part_.world(), part_.radius(), kWorld, frames.world, T_world_map);
-    draw("known object", part_.knownObject(), part_.knownRadius(), kKnownObject, frames.object,
-         here);
-    draw("known world", part_.knownWorld(), part_.knownRadius(), kKnownWorld, frames.world,
-         T_world_map);
+    draw("touched object", part_.object(), part_.radius(), blue, frames.object, here);
+    draw("touched world", part_.world(), part_.radius(), orange, frames.world, T_world_map);
+    draw("known object", part_.knownObject(), part_.knownRadius(), sky_blue, frames.object, here);
+    draw("known world", part_.knownWorld(), part_.knownRadius(), yellow, frames.world, T_world_map);
   }
 
  private:
-  // Blue and orange, what was known beforehand paler: after Okabe and Ito.
-  const std_msgs::ColorRGBA kObject = makeColor(0.0F, 0.447F, 0.698F, 1.0F);
-  const std_msgs::ColorRGBA kWorld = makeColor(0.902F, 0.624F, 0.0F, 1.0F);
-  const std_msgs::ColorRGBA kKnownObject = makeColor(0.337F, 0.706F, 0.914F, 1.0F);
-  const std_msgs::ColorRGBA kKnownWorld = makeColor(0.941F, 0.894F, 0.259F, 1.0F);
-
   const WorldsAtUnit& part_;
   HypothesisMask world_;
   MarkerArray* array_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
+#include <tuple>
 
 #include "smore/ros/conversions.h"
 #include "smore/ros/marker_parts.h"
@@ -92,11 +93,12 @@ Control bodyControl(const MarkedGoal& goal, Motion motion) {
 }
 
 void addAxes(InteractiveMarker* marker) {
-  const std::pair<const char*, Vec3> axes[] = {
-      {"x", Vec3::UnitX()}, {"y", Vec3::UnitY()}, {"z", Vec3::UnitZ()}};
-  for (const auto& [name, axis] : axes) {
-    marker->controls.push_back(controlOf(std::string("along ") + name, axis, Control::MOVE_AXIS));
-    marker->controls.push_back(controlOf(std::string("about ") + name, axis, Control::ROTATE_AXIS));
+  const std::tuple<const char*, const char*, Vec3> axes[] = {{"along x", "about x", Vec3::UnitX()},
+                                                             {"along y", "about y", Vec3::UnitY()},
+                                                             {"along z", "about z", Vec3::UnitZ()}};
+  for (const auto& [along, about, axis] : axes) {
+    marker->controls.push_back(controlOf(along, axis, Control::MOVE_AXIS));
+    marker->controls.push_back(controlOf(about, axis, Control::ROTATE_AXIS));
   }
 }
 
