@@ -19,8 +19,8 @@ using visualization_msgs::Marker;
 // Choices for the eye.
 constexpr double kUnknownReach = 4.0;     // of an object that nothing is known of [voxels]
 constexpr double kControlsByReach = 2.2;  // size of the controls over the object's reach
-constexpr double kTextByControls = 0.09;  // height of a letter over the size of the controls
-constexpr double kTextAbove = 0.75;       // of the goal, over the size of the controls
+constexpr double kTextByControls = 0.05;  // height of a letter over the size of the controls
+constexpr double kTextAbove = 0.5;        // of the goal, over the size of the controls
 constexpr float kOpacity = 0.8F;
 
 double reachOf(const OccupiedVoxels& object) {
