@@ -7,25 +7,6 @@
 #include "smore/mapping/surface_sizes.h"
 
 namespace smore {
-namespace {
-
-// Between the contacts of an explanation, a contact's with itself twice (docs/belief.md (B4)).
-int contradictionsIn(const Explanation& explanation, const FreeSpaceEvidence& free) {
-  const int count = static_cast<int>(explanation.size());
-  int contradictions = 0;
-  for (int k = 0; k < count; ++k) {
-    for (int l = 0; l < count && explanation[k] != kFalseContact; ++l) {
-      if (explanation[l] == kFalseContact) continue;
-      const ConflictTable* table = free.conflicts(k, l);
-      if (table == nullptr || !table->at(explanation[k], explanation[l])) continue;
-      contradictions += k == l ? 2 : 1;
-    }
-  }
-  return contradictions;
-}
-
-}  // namespace
-
 EvidenceAtUnit::EvidenceAtUnit(const JointBeliefParameters& parameters, const MapFrame& frame,
                                double unit)
     : unit_(unit),
@@ -70,7 +51,7 @@ double EvidenceAtUnit::costOf(const std::vector<JointSample>& samples, std::size
   double cost = of_false_contact * static_cast<double>(contacts - contacts_.size());
   for (const JointSample& sample : samples) {
     const auto held_false = std::count(sample.places.begin(), sample.places.end(), kFalseContact);
-    cost += (distribution.conflict_cost * contradictionsIn(sample.places, free_) +
+    cost += (distribution.conflict_cost * contradictions(sample.places, free_) +
              of_false_contact * static_cast<double>(held_false)) /
             static_cast<double>(samples.size());
   }

@@ -108,16 +108,11 @@ int GibbsChain::priorConflicts() const {
 
 double GibbsChain::binding() const {
   double log_attraction = 0.0;
-  int conflicts = priorConflicts();
+  const int conflicts = priorConflicts() + contradictions(places_, *evidence_);
   for (std::size_t k = 0; k < contacts_->size(); ++k) {
     if (places_[k] == kFalseContact) continue;
     log_attraction +=
         std::log1p(object_.sums[k] / object_.base) + std::log1p(world_.sums[k] / world_.base);
-    for (std::size_t l = 0; l < contacts_->size(); ++l) {
-      if (places_[l] == kFalseContact) continue;
-      const ConflictTable* table = evidence_->conflicts(static_cast<int>(k), static_cast<int>(l));
-      if (table != nullptr && table->at(places_[k], places_[l])) conflicts += k == l ? 2 : 1;
-    }
   }
   return parameters_->exponent * log_attraction - parameters_->conflict_cost * conflicts;
 }

@@ -207,7 +207,7 @@ Worlds JointBelief::infer() const {
   const std::array<int, kUnits> counts = worldsByUnit(&drawn);
   TouchedPlaces touched;
   SampledWorlds sampled = sampledWorlds(counts, &drawn, &touched);
-  forgetUnlikelyUnits(drawn);
+  forgetOtherUnits(drawn);
   const EvidenceAtUnit& main = atUnit(likeliestOf(counts));
   VoxelGrid world =
       marginalMap(sampled, MapSide::kWorld, frame_.T_map_world().inverse(), parameters_.voxel_size);
@@ -227,7 +227,7 @@ Worlds JointBelief::infer() const {
           secondsSince(begin)};
 }
 
-void JointBelief::forgetUnlikelyUnits(const DrawnByUnit& drawn) const {
+void JointBelief::forgetOtherUnits(const DrawnByUnit& drawn) const {
   for (auto known = at_unit_.begin(); known != at_unit_.end();) {
     known = drawn.count(known->first) == 0 ? at_unit_.erase(known) : std::next(known);
   }

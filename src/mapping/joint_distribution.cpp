@@ -15,11 +15,6 @@ JointDistribution::JointDistribution(const std::vector<ContactHypotheses>& conta
 
 namespace {
 
-bool conflict(const FreeSpaceEvidence& evidence, int on_object, int i, int in_world, int j) {
-  const ConflictTable* table = evidence.conflicts(on_object, in_world);
-  return table != nullptr && table->at(i, j);
-}
-
 struct Side {
   const PointArray& place;
   const PointArray& normal;
@@ -46,13 +41,28 @@ double logDensityOf(const PriorEvidence& prior, PriorMask believed, double confl
 
 }  // namespace
 
+// A contact's with itself counts twice.
+int contradictions(const Explanation& explanation, const FreeSpaceEvidence& evidence) {
+  const int count = static_cast<int>(explanation.size());
+  int found = 0;
+  for (int k = 0; k < count; ++k) {
+    for (int l = 0; l < count && explanation[k] != kFalseContact; ++l) {
+      if (explanation[l] == kFalseContact) continue;
+      const ConflictTable* table = evidence.conflicts(k, l);
+      if (table != nullptr && table->at(explanation[k], explanation[l])) found += k == l ? 2 : 1;
+    }
+  }
+  return found;
+}
+
 double JointDistribution::logDensity(const JointSample& sample) const {
   const Explanation& explanation = sample.places;
   const auto& contacts = *contacts_;
   const int count = static_cast<int>(contacts.size());
   const AttractionKernel on_object(parameters_.object);
   const AttractionKernel in_world(parameters_.world);
-  double log_density = logDensityOf(*prior_, sample.believed, parameters_.conflict_cost);
+  double log_density = logDensityOf(*prior_, sample.believed, parameters_.conflict_cost) -
+                       parameters_.conflict_cost * contradictions(explanation, *evidence_);
   for (int k = 0; k < count; ++k) {
     const int i = explanation[k];
     if (i == kFalseContact) {
@@ -66,8 +76,6 @@ double JointDistribution::logDensity(const JointSample& sample) const {
     for (int l = 0; l < count; ++l) {
       const int j = explanation[l];
       if (j == kFalseContact) continue;
-      if (conflict(*evidence_, k, i, l, j)) log_density -= parameters_.conflict_cost;
-      if (k == l && conflict(*evidence_, k, i, l, j)) log_density -= parameters_.conflict_cost;
       if (k == l) continue;
       object += kernelOf(on_object, objectOf(contacts[k]), i, objectOf(contacts[l]), j);
       world += kernelOf(in_world, worldOf(contacts[k]), i, worldOf(contacts[l]), j);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "smore/mapping/log_probabilities.h"
+
 namespace smore {
 namespace {
 
@@ -25,13 +27,6 @@ Sizes flatnessWithin(const SurfaceTouch& touch, const std::vector<SurfaceTouch>&
   }
   for (int i = 1; i < kHypotheses; ++i) flatness[i] += flatness[i - 1];
   return flatness;
-}
-
-void normalise(Sizes* log_likelihood) {
-  const double largest = *std::max_element(log_likelihood->begin(), log_likelihood->end());
-  double sum = 0.0;
-  for (double& value : *log_likelihood) sum += value = std::exp(value - largest);
-  for (double& value : *log_likelihood) value /= sum;
 }
 
 std::vector<SurfaceTouch> touchesInWorld(const std::vector<ContactHypotheses>& contacts,
@@ -70,7 +65,7 @@ std::array<double, kHypotheses> sizeProbabilities(const std::vector<SurfaceTouch
       log_likelihood[i] += std::log1p(density * flatness[i] / attraction.base);
     }
   }
-  normalise(&log_likelihood);
+  exponentiate(&log_likelihood);
   return log_likelihood;
 }
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <numeric>
 
+#include "smore/mapping/log_probabilities.h"
+
 namespace smore {
 namespace {
 
@@ -30,7 +32,7 @@ constexpr double kTouchesApart = 2.0;
 constexpr double kKnownSurface = 4.0;
 
 // Probability that the levers mislead, as those of a long tool that touches thin things: each unit
-// is then so much less likely than the next one nearer to theirs.
+// is then so much less likely than the next one nearer to theirs. Choices: rare, and not by much.
 constexpr double kMisled = 0.05;
 constexpr double kFarther = 0.3;
 
@@ -109,13 +111,6 @@ double excessAt(int index, const std::map<int, double>& costs) {
   return std::max(0.0, nearest->second - kBearable);
 }
 
-void normalise(std::array<double, kUnits>* log_probabilities) {
-  const double largest = *std::max_element(log_probabilities->begin(), log_probabilities->end());
-  double sum = 0.0;
-  for (double& value : *log_probabilities) sum += value = std::exp(value - largest);
-  for (double& value : *log_probabilities) value /= sum;
-}
-
 }  // namespace
 
 double unitOfLength(int index) { return kSmallestUnit * std::pow(kRatio, index); }
@@ -134,7 +129,7 @@ std::array<double, kUnits> unitProbabilities(const std::vector<LeverOfContact>& 
                    std::log(likelihood(lever, unitOfLength(i), dimensions));
     }
   }
-  normalise(&result);
+  exponentiate(&result);
   return result;
 }
 
@@ -148,7 +143,7 @@ std::array<double, kUnits> probabilitiesByCost(const std::array<double, kUnits>&
   if (bearable) return by_levers;
   std::array<double, kUnits> result = widened(by_levers);
   for (int i = 0; i < kUnits; ++i) result[i] = std::log(result[i]) - excessAt(i, costs);
-  normalise(&result);
+  exponentiate(&result);
   return result;
 }
 

@@ -49,7 +49,8 @@ class PlannerNode {
  public:
   PlannerNode(const PlannerNodeParameters& parameters, const Scenario& scenario)
       : parameters_(parameters),
-        replica_(parameters.method, scenario, parameters.seed, parameters.method_parameters) {
+        replica_(parameters.method, scenario, parameters.seed, parameters.method_parameters),
+        knowledge_(replica_.knowledge()) {
     maps_ = node_.serviceClient<smore_msgs::TwinMaps>(names::kTwinMaps);
     path_ = node_.advertise<nav_msgs::Path>(names::kPath, names::kLatestQueue, true);
     markers_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPathMarkers,
@@ -64,7 +65,7 @@ class PlannerNode {
     source_ =
         node_.subscribe(names::kEvidenceSource, names::kLatestQueue, &PlannerNode::onSource, this);
     if (scenario.task == Task::kRetrieve) {
-      marker_ = std::make_unique<GoalMarker>(scenario, parameters.frames, replica_.knowledge());
+      marker_ = std::make_unique<GoalMarker>(scenario, parameters.frames, knowledge_);
     }
     statuses_.add("plans", [this](Status* status) { status_.compose(status); });
     timer_ = status_node_.createWallTimer(ros::WallDuration(kStatusPeriod),
@@ -83,7 +84,8 @@ class PlannerNode {
   std::string synchronise(const ros::Time& not_before) {
     try {
       std::string problem = takeEvidence(not_before);
-      if (problem.empty() && marker_) marker_->know(replica_.knowledge());
+      if (problem.empty()) knowledge_ = replica_.knowledge();
+      if (problem.empty() && marker_) marker_->know(knowledge_);
       return problem;
     } catch (const InputError& error) {  // knowledge that the planner's method cannot use
       return error.what();
@@ -178,8 +180,7 @@ class PlannerNode {
     const std::vector<double> risks = replica_.risksAlong(dense);
     markers_.publish(pathMarkers(dense, risks, parameters_.frames.world));
     if (ghost_.getNumSubscribers() == 0) return;
-    ghost_.publish(
-        ghostMarkers(dense, risks, replica_.knowledge().object, parameters_.frames.world));
+    ghost_.publish(ghostMarkers(dense, risks, knowledge_.object, parameters_.frames.world));
   }
 
   bool onCheck(smore_msgs::CheckPose::Request& request, smore_msgs::CheckPose::Response& response) {
@@ -187,7 +188,7 @@ class PlannerNode {
     response.message = pose ? synchronise(ros::Time()) : pose.reason();
     response.success = static_cast<unsigned char>(response.message.empty());
     if (!response.message.empty()) return true;
-    const PoseAssessment assessment = replica_.knowledge().assess(*pose);
+    const PoseAssessment assessment = knowledge_.assess(*pose);
     response.valid = static_cast<unsigned char>(assessment.valid);
     response.risk = assessment.risk;
     response.message = assessment.problem;
@@ -211,6 +212,7 @@ class PlannerNode {
 
   PlannerNodeParameters parameters_;
   MethodReplica replica_;
+  PoseKnowledge knowledge_;  ///< of the replica, as it was when it was last brought up to date
   std::uint64_t revision_ = 0;
   ros::Time stamp_;
   ros::NodeHandle node_;

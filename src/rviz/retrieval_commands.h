@@ -8,6 +8,7 @@
 #include <string>
 
 #include "command_runner.h"
+
 namespace smore {
 
 /// What a person can tell the nodes of one namespace to do. Each call returns at once; `answer`

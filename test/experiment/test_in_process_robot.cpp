@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "peg_in_fork.h"
 #include "smore/experiment/in_process_robot.h"
-#include "smore/scenario/scenario.h"
 #include "smore/simulation/simulated_robot.h"
 
 namespace smore {
 namespace {
 
-// A peg between two prongs, with 5 mm of play on each side.
 Scenario fork() {
-  Scenario scenario;
-  scenario.name = "fork";
-  scenario.object = {{BoxShape{Vec3(0.3, 0.06, 0.06)}, makePose(Vec3(0, 0.065, 0))},
-                     {BoxShape{Vec3(0.3, 0.06, 0.06)}, makePose(Vec3(0, -0.065, 0))}};
-  scenario.environment = {{CylinderShape{0.03, 0.3}, makePose(Vec3(0.05, 0.0, 0.0))}};
+  Scenario scenario = pegInFork();
   scenario.goal = makePose(Vec3(-0.4, 0, 0));
   scenario.workspace = {Vec3(-0.6, -0.4, -0.01), Vec3(0.2, 0.4, 0.01)};
   return scenario;

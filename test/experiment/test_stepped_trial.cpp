@@ -4,20 +4,16 @@
 #include <limits>
 #include <random>
 
+#include "peg_in_fork.h"
 #include "smore/common/result.h"
 #include "smore/experiment/stepped_trial.h"
 
 namespace smore {
 namespace {
 
-// A peg between two prongs, with 5 mm of play on each side; noise and perturbation tell seeds
-// apart.
+// Noise and perturbation tell seeds apart.
 Scenario fork() {
-  Scenario scenario;
-  scenario.name = "fork";
-  scenario.object = {{BoxShape{Vec3(0.3, 0.06, 0.06)}, makePose(Vec3(0, 0.065, 0))},
-                     {BoxShape{Vec3(0.3, 0.06, 0.06)}, makePose(Vec3(0, -0.065, 0))}};
-  scenario.environment = {{CylinderShape{0.03, 0.3}, makePose(Vec3(0.05, 0.0, 0.0))}};
+  Scenario scenario = pegInFork();
   scenario.goal = makePose(Vec3(-0.08, 0, 0), Vec3(0, 0, 0.02));
   scenario.workspace = {Vec3(-0.1, -0.4, -0.01), Vec3(0.01, 0.4, 0.01)};
   scenario.wrench_noise.force_stddev = 0.02;

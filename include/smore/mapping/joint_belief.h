@@ -30,8 +30,8 @@ constexpr FreeSpaceParameters kPoseAccuracy = {0.0005, 0.005};
 /// weighed by the sizes of their surfaces. Both maps are their marginals.
 ///
 /// The belief knows no size: its worlds have units of length, up to three different ones, as likely
-/// as the contacts say (unitProbabilities); all that is assumed of matter is a multiple of them.
-/// Where all that is observed is scaled alike, so are the worlds.
+/// as the contacts say (unitProbabilities, probabilitiesByCost); all that is assumed of matter is a
+/// multiple of them. Where all that is observed is scaled alike, so are the worlds.
 ///
 /// The same set of observations gives the same worlds, to the last bit, in any order, as long as no
 /// contacts are merged, and much the same at any rate of free samples that is fine against the
@@ -91,7 +91,7 @@ class JointBelief : public TwinMap {
   std::vector<LeverOfContact> leversOfKnownObject() const;
   EvidenceAtUnit& atUnit(int index) const;
   Worlds infer() const;
-  void forgetUnlikelyUnits(const DrawnByUnit& drawn) const;
+  void forgetOtherUnits(const DrawnByUnit& drawn) const;
   double meanUnit(const std::array<int, kUnits>& counts) const;
   std::optional<ContactHypotheses> widestPlacesOf(const Pose& T_world_object,
                                                   const LineOfAction& line) const;
@@ -113,7 +113,7 @@ class JointBelief : public TwinMap {
   /// nothing for the others.
   std::map<int, std::optional<StampedPose>> poses_without_line_;
 
-  mutable std::map<int, EvidenceAtUnit> at_unit_;  ///< of units that are not unlikely
+  mutable std::map<int, EvidenceAtUnit> at_unit_;  ///< of the units that were asked for last
   std::unique_ptr<std::mutex> inferring_ = std::make_unique<std::mutex>();
   mutable std::shared_ptr<const Worlds> worlds_;  ///< null while nobody has asked
 };

@@ -42,6 +42,9 @@ constexpr std::int16_t kFalseContact = -1;
 /// One explanation of all contacts: for each its place, or kFalseContact.
 using Explanation = std::vector<std::int16_t>;
 
+/// Contradictions with free space among the contacts of an explanation: C of docs/belief.md (B4).
+int contradictions(const Explanation& explanation, const FreeSpaceEvidence& evidence);
+
 /// An explanation together with the pieces of prior knowledge that it holds to be true.
 struct JointSample {
   Explanation places;

@@ -44,10 +44,10 @@ std::array<double, kUnits> unitProbabilities(const std::vector<LeverOfContact>& 
 /// The same where explaining the contacts may cost more at one unit than at another: `cost` says
 /// how much [nats], at an index, such as contradictions with free space and contacts that are held
 /// to be false. It is asked for the units that worldsOfUnits takes of `by_levers` with so many
-/// `strata`; where one of them costs more than the right one may, for smaller ones too, as long as
-/// that is cheaper. Matter that is thin against the lever that it is touched with is found so: what
-/// is assumed to be thick cannot stand where the object was free. Nothing contradicts a unit that
-/// is too small, which is why the levers go first.
+/// `strata`; where the smallest of them costs more than the right one may, for smaller ones too, as
+/// long as that is cheaper. Matter that is thin against the lever that it is touched with is found
+/// so: what is assumed to be thick cannot stand where the object was free. Nothing contradicts a
+/// unit that is too small, which is why the levers go first.
 std::array<double, kUnits> probabilitiesByCost(const std::array<double, kUnits>& by_levers,
                                                int strata,
                                                const std::function<double(int index)>& cost);
