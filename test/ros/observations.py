@@ -8,8 +8,9 @@ from smore.msg import ContactObservation
 
 
 class ObservationSource:
-    def __init__(self):
-        self.time = 1.0
+    def __init__(self, time=1.0):
+        """The first stamp follows on `time` [s]."""
+        self.time = time
         self.contacts = 0
         self.publisher = rospy.Publisher(
             "contact", ContactObservation, queue_size=100000, tcp_nodelay=True
