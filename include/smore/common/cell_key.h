@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// common: what every other folder uses: poses, parameters, files, and what a robot is to the rest.
+
 #include <cstdint>
 
 namespace smore {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// contact: from raw wrenches to observations: free, or touched, and along which line; when a robot
+// must stop.
+
 #include <deque>
 
 #include "smore/common/geometry.h"

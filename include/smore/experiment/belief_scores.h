@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// experiment: many trials in one process, their records and their scores.
+
 #include <optional>
 #include <string>
 #include <vector>

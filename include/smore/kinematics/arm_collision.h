@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// kinematics: arms: from their URDF to trajectories of the joints along a path of the object.
+
 #include <memory>
 #include <optional>
 #include <string>

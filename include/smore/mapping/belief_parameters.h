@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// mapping: what is believed of matter, in the world and in the object: the twin maps and the
+// beliefs behind them.
+
 #include <cstdint>
 #include <optional>
 

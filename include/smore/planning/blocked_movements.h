@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// planning: motions of the object, and their risk, by what is believed of matter.
+
 #include <cstdint>
 #include <optional>
 #include <vector>

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// retrieval: the loop of plan, motion and contact; the methods put together for it; its evidence,
+// recorded and replayed.
+
 #include <cstdint>
 #include <optional>
 #include <string>

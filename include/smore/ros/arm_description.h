@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// ros: nodes and what they share: validate, convert, hand over.
+
 #include <memory>
 #include <string>
 

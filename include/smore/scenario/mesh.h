@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// scenario: scenes and tasks as they are read from files.
+
 #include <string>
 
 #include "smore/common/geometry.h"

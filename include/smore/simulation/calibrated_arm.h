@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// simulation: Bullet scenes with an arm and a wrist sensor; knows nothing of maps or planners.
+
 #include <cstdint>
 #include <string>
 
