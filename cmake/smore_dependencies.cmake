@@ -36,7 +36,11 @@ find_package(rviz QUIET)
 find_package(Qt5 QUIET COMPONENTS Widgets Test)
 
 # For the simulator as a module of Python, which is left out where pybind11 or Python's headers are not installed.
-find_package(Python3 QUIET COMPONENTS Interpreter Development)
+# Debian 13's catkin asks for `Python`, and then pybind11 takes that one.
+if(NOT DEFINED Python_EXECUTABLE)
+  set(Python_EXECUTABLE ${PYTHON_EXECUTABLE})
+endif()
+find_package(Python QUIET COMPONENTS Interpreter Development)
 find_package(pybind11 QUIET)
 
 # Of Bullet's extras, but free of Bullet.

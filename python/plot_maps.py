@@ -6,8 +6,8 @@
 
 DIR holds world.ot and object.ot. A planar scene is shown from above, in the plane of motion; a spatial
 one from three sides, each cut where most of the true solids is. Of the voxels within three of the cut the
-most probable are on top. As in the paper's figures, black to white is the world from free to occupied
-and green to red the object; what is not stored is unknown and stays blank.
+most probable are on top. Black to white is the world from free to occupied, as in the paper's figures, pale
+yellow to dark red the object; what is not stored is unknown and stays blank.
 """
 import argparse
 import json
@@ -30,7 +30,7 @@ from scene_geometry import Scene, View, fullest_depth, outline_mask, transform
 
 UNKNOWN = "#c3cedb"
 WORLD_COLORS = "gray"
-OBJECT_COLORS = LinearSegmentedColormap.from_list("object", ["#1a9641", "#f4e04d", "#d7191c"])
+OBJECT_COLORS = LinearSegmentedColormap.from_list("object", ["#fff0a0", "#f58a2e", "#7a0010"])  # told apart without green and red
 PATH_COLORS = LinearSegmentedColormap.from_list("path", ["#00d5e0", "#8e24aa"])
 WORLD_OUTLINE = "#e0691a"
 OBJECT_OUTLINE = "#1f3fae"

@@ -5,8 +5,9 @@ import numpy as np
 LOWEST = 240  # of a picture [pixel]
 OCCUPIED = 0.5  # probability from which voxels of the object are laid on the world, as in the paper
 UNKNOWN, GAP = (195, 206, 219), (255, 255, 255)
-WORLD_COLORS = np.array([(255, 255, 255), (0, 0, 0)])  # free to occupied, as in the paper's figures
-OBJECT_COLORS = np.array([(26, 150, 65), (244, 228, 77), (215, 25, 28)])
+# From free to occupied, as python/plot_maps.py has them.
+WORLD_COLORS = np.array([(0, 0, 0), (255, 255, 255)])
+OBJECT_COLORS = np.array([(255, 240, 160), (245, 138, 46), (122, 0, 16)])
 OBJECT, ORIGIN, GOAL = (242, 166, 90), (31, 63, 174), (142, 36, 170)
 
 

@@ -49,6 +49,10 @@ std_msgs::ColorRGBA shade(const MapColors& colors, float probability) {
 
 }  // namespace
 
+MapColors worldColors() { return {Vec3::Zero(), Vec3::Ones()}; }
+
+MapColors objectColors() { return {Vec3(1.0, 0.94, 0.63), Vec3(0.48, 0.0, 0.06)}; }
+
 octomap_msgs::Octomap fullOctomap(const VoxelGrid& grid, const std_msgs::Header& header) {
   const auto tree = toOctree(grid);
   octomap_msgs::Octomap message = emptyOctomap(*tree, header, false);

@@ -41,10 +41,10 @@ class MappingNode {
         service_node_(makeServiceNode()),
         shown_(service_node_, parameters.display_min_probability),
         belief_(service_node_, parameters.frames, parameters.line_half_length),
-        world_(service_node_, names::kWorldMap, parameters.frames.world,
-               {Vec3::Zero(), Vec3::Ones()}, parameters.display_min_probability),
-        object_(service_node_, names::kObjectMap, parameters.frames.object,
-                {Vec3::UnitY(), Vec3::UnitX()}, parameters.display_min_probability) {
+        world_(service_node_, names::kWorldMap, parameters.frames.world, worldColors(),
+               parameters.display_min_probability),
+        object_(service_node_, names::kObjectMap, parameters.frames.object, objectColors(),
+                parameters.display_min_probability) {
     contact_ = node_.subscribe(names::kContact, names::kObservationQueue, &MappingNode::onContact,
                                this, ros::TransportHints().tcpNoDelay());
     source_told_ = service_node_.advertise<smore_msgs::EvidenceSource>(names::kEvidenceSource,

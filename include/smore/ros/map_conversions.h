@@ -35,6 +35,12 @@ struct MapColors {
   Vec3 high = Vec3::Ones();
 };
 
+/// Black to white, as in the paper's figures.
+MapColors worldColors();
+
+/// Pale yellow to dark red. The paper has green to red, which not everybody can tell apart.
+MapColors objectColors();
+
 /// The voxels with at least `min_probability` in (0, 1] as one list of cubes, the likely ones more
 /// opaque.
 visualization_msgs::MarkerArray cellMarkers(const VoxelGrid& grid, const MapColors& colors,
