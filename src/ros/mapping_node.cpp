@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
+#include "cloud_frames.h"
 #include "keeper_start.h"
 #include "mapping_parameters.h"
 #include "smore/mapping/prior_maps.h"
@@ -175,7 +176,10 @@ class MappingNode {
   bool onInsertPrior(smore_msgs::InsertPrior::Request& request,
                      smore_msgs::InsertPrior::Response& response) {
     response.success = tell(&response.message, [&] {
-      const PriorRequest told = readRequest(request, parameters_.frames);
+      const PriorRequest told =
+          readRequest(request, parameters_.frames, [this](const auto& target, const auto& cloud) {
+            return cloud_frames_.poseIn(target, cloud);
+          });
       const Prior prior = makePrior(source_.task, told.side, told.source);
       keeper_->know(told.side, prior);
       return "known of the " + request.map + " now: " + std::to_string(prior.known.size()) +
@@ -262,6 +266,7 @@ class MappingNode {
   MappingParameters parameters_;
   EvidenceSource source_;
   BeliefFiles files_;
+  CloudFrames cloud_frames_;
   std::unique_ptr<MapKeeper> keeper_;  ///< before anything is offered of what it knows
   ros::CallbackQueue service_queue_;
   ros::NodeHandle node_;

@@ -72,25 +72,33 @@ bool isGiven(const geometry_msgs::Pose& pose) {
          turn.w != 0.0;
 }
 
-Pose poseOf(const geometry_msgs::Pose& message) {
-  if (!isGiven(message)) return Pose::Identity();
+Pose givenPose(const geometry_msgs::Pose& message) {
   const Result<Pose> pose = fromMessage(message);
   if (!pose) throw InputError("pose: " + pose.reason());
-  if (!(pose->translation().cwiseAbs().maxCoeff() <= kPriorPosition.max)) {
-    throw InputError("pose: farther than 100 m from the frame of the map");
-  }
   return *pose;
 }
 
-void readCloud(const smore_msgs::InsertPrior::Request& request, const std::string& frame,
-               PriorSource* source) {
-  const std::string& given = request.cloud.header.frame_id;
-  if (!isGiven(request.pose) && given != frame) {
-    throw InputError("cloud: its frame_id is '" + given + "'; give it in '" + frame +
-                     "', or give the pose of its frame in '" + frame + "'");
+Pose poseByFrame(const std_msgs::Header& cloud, const std::string& frame,
+                 const CloudPose& pose_of_cloud) {
+  if (cloud.frame_id == frame) return Pose::Identity();
+  const Result<Pose> pose = pose_of_cloud(frame, cloud);
+  if (pose) return *pose;
+  throw InputError("cloud: its frame_id is '" + cloud.frame_id + "', and tf does not give it in '" +
+                   frame + "' (" + pose.reason() + "); publish it, or give the pose of '" +
+                   cloud.frame_id + "' in '" + frame + "'");
+}
+
+Pose poseOf(const smore_msgs::InsertPrior::Request& request, const std::string& frame,
+            const CloudPose& pose_of_cloud) {
+  const bool has_cloud = !request.cloud.data.empty();
+  Pose pose = Pose::Identity();
+  if (isGiven(request.pose)) {
+    pose = givenPose(request.pose);
+  } else if (has_cloud) {
+    pose = poseByFrame(request.cloud.header, frame, pose_of_cloud);
   }
-  source->format = PriorFormat::kCloud;
-  source->points = pointsOf(request.cloud);
+  if (pose.translation().cwiseAbs().maxCoeff() <= kPriorPosition.max) return pose;
+  throw InputError("pose: farther than 100 m from '" + frame + "'");
 }
 
 std::optional<Bounds> boxOf(const smore_msgs::InsertPrior::Request& request) {
@@ -105,17 +113,19 @@ std::optional<Bounds> boxOf(const smore_msgs::InsertPrior::Request& request) {
 
 }  // namespace
 
-PriorRequest readRequest(const smore_msgs::InsertPrior::Request& request,
-                         const FrameNames& frames) {
+PriorRequest readRequest(const smore_msgs::InsertPrior::Request& request, const FrameNames& frames,
+                         const CloudPose& pose_of_cloud) {
   PriorRequest told;
   told.side = sideOf(request.map);
   PriorSource& source = told.source;
-  source.pose = poseOf(request.pose);
-  source.box = boxOf(request);
   const bool has_cloud = !request.cloud.data.empty();
   if (has_cloud == !request.file.empty()) throw InputError("give either a file or a cloud");
+  source.box = boxOf(request);
+  source.pose =
+      poseOf(request, told.side == MapSide::kObject ? frames.object : frames.world, pose_of_cloud);
   if (has_cloud) {
-    readCloud(request, told.side == MapSide::kObject ? frames.object : frames.world, &source);
+    source.format = PriorFormat::kCloud;
+    source.points = pointsOf(request.cloud);
   } else {
     source.format = formatOf(request.file);
     source.file = request.file;

@@ -10,11 +10,13 @@ import unittest
 
 import rospy
 import rostest
+from geometry_msgs.msg import Point, Pose, Quaternion
 from octomap_msgs.srv import GetOctomap
 from sensor_msgs.msg import PointCloud2, PointField
 from std_srvs.srv import Trigger
+from tf2_msgs.msg import TFMessage
 
-from node_testing import pose, stamped, start_node
+from node_testing import pose, stamped, start_node, transform
 from smore.srv import CheckPose, InsertPrior, InsertPriorRequest, LoadBelief, SaveBelief
 
 STEP = 0.005  # between points [m]
@@ -87,6 +89,16 @@ class InsertPriorTest(unittest.TestCase):
         self.assertGreater(self.risk_at(-0.15), 0.8)
         self.assertLess(self.risk_at(0.1), 0.1)
         self.assertGreater(min(self.size_of("world"), self.size_of("object")), 0)
+
+    def test_a_cameras_cloud_is_placed_by_tf(self):
+        mount = Pose(Point(-0.1, 0.0, 0.5), Quaternion(1.0, 0.0, 0.0, 0.0))  # looks down
+        static = rospy.Publisher("/tf_static", TFMessage, queue_size=1, latch=True)
+        static.publish(TFMessage([transform("world", "camera", mount, rospy.Time())]))
+        seen = cloud_of([(x + 0.1, -y, 0.5 - z) for x, y, z in PEG], "camera")
+        seen.header.stamp = rospy.Time(5.0)
+        self.told(map="world", cloud=seen)
+        self.told(map="object", cloud=cloud_of(BAR, "object"))
+        self.assertGreater(self.risk_at(-0.15), 0.8)
 
     def test_a_reset_forgets_it(self):
         self.tell_all()

@@ -52,9 +52,13 @@ Request cloudRequest() {
   return request;
 }
 
+Result<Pose> nowhere(const std::string& /*target*/, const std_msgs::Header& /*cloud*/) {
+  return Failure{"no such frame"};
+}
+
 std::string problemOf(const Request& request) {
   try {
-    (void)readRequest(request, FrameNames{});
+    (void)readRequest(request, FrameNames{}, nowhere);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -62,7 +66,7 @@ std::string problemOf(const Request& request) {
 }
 
 TEST(PriorRequest, givesThePointsOfACloudThatAreFinite) {
-  const PriorRequest told = readRequest(cloudRequest(), FrameNames{});
+  const PriorRequest told = readRequest(cloudRequest(), FrameNames{}, nowhere);
   EXPECT_EQ(told.side, MapSide::kWorld);
   EXPECT_EQ(told.source.format, PriorFormat::kCloud);
   ASSERT_EQ(told.source.points.size(), 3U);
@@ -84,7 +88,7 @@ TEST(PriorRequest, takesFilePoseBoxScaleAndConfidence) {
   request.min.z = -0.1;
   request.max.x = request.max.y = request.max.z = 0.2;
   request.confidence = 0.7;
-  const auto [side, source] = readRequest(request, FrameNames{});
+  const auto [side, source] = readRequest(request, FrameNames{}, nowhere);
   EXPECT_EQ(side, MapSide::kObject);
   EXPECT_EQ(source.format, PriorFormat::kMesh);
   EXPECT_EQ(source.pose.translation(), Vec3(0.5, 0.0, 0.0));
@@ -95,12 +99,43 @@ TEST(PriorRequest, takesFilePoseBoxScaleAndConfidence) {
   EXPECT_EQ(source.box->min, Vec3(0.0, 0.0, -0.1));
 }
 
-TEST(PriorRequest, takesACloudOfAnotherFrameOnlyWithThatFramesPose) {
+TEST(PriorRequest, takesACloudOfAnUnknownFrameOnlyWithThatFramesPose) {
   Request request = cloudRequest();
   request.cloud.header.frame_id = "camera";
   EXPECT_NE(problemOf(request).find("'camera'"), std::string::npos);
+  EXPECT_NE(problemOf(request).find("no such frame"), std::string::npos);
   request.pose.orientation.w = 1.0;
   EXPECT_EQ(problemOf(request), "");
+}
+
+TEST(PriorRequest, placesACloudOfAnotherFrameInThatOfItsMap) {
+  Request request = cloudRequest();
+  request.map = "object";
+  request.cloud.header.frame_id = "camera";
+  request.cloud.header.stamp = ros::Time(3.0);
+  const Pose T_object_camera = makePose(Vec3(0.1, 0.2, 0.3), Vec3(0.4, 0.5, 0.6));
+  const PriorRequest told =
+      readRequest(request, FrameNames{}, [&](const auto& target, const auto& cloud) {
+        EXPECT_EQ(target, "object");
+        EXPECT_EQ(cloud.frame_id, "camera");
+        EXPECT_EQ(cloud.stamp, ros::Time(3.0));
+        return Result<Pose>(T_object_camera);
+      });
+  EXPECT_TRUE(told.source.pose.isApprox(T_object_camera));
+}
+
+TEST(PriorRequest, asksForNoFrameWhereThePoseIsGivenOrTheCloudIsInThatOfItsMap) {
+  const auto fail = [](const auto& /*target*/, const auto& /*cloud*/) {
+    ADD_FAILURE();
+    return Result<Pose>(Failure{"asked"});
+  };
+  Request request = cloudRequest();
+  EXPECT_TRUE(readRequest(request, FrameNames{}, fail).source.pose.isApprox(Pose::Identity()));
+  request.cloud.header.frame_id = "camera";
+  request.pose.position.y = 0.5;
+  request.pose.orientation.w = 1.0;
+  EXPECT_EQ(readRequest(request, FrameNames{}, fail).source.pose.translation(),
+            Vec3(0.0, 0.5, 0.0));
 }
 
 TEST(PriorRequest, namesWhatIsWrong) {
