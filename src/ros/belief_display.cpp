@@ -17,8 +17,8 @@ std::shared_ptr<const Worlds> worldsOf(const TwinMap& maps) {
 }
 
 BeliefDisplay::BeliefDisplay(const ros::NodeHandle& node, const FrameNames& frames,
-                             double line_half_length)
-    : frames_(frames), line_half_length_(line_half_length), node_(node) {
+                             double line_half_length, double voxel_size)
+    : frames_(frames), line_half_length_(line_half_length), voxel_size_(voxel_size), node_(node) {
   lines_.open<visualization_msgs::MarkerArray>(&node_, names::kContactLines);
   places_.open<visualization_msgs::MarkerArray>(&node_, names::kContactPlaces);
   world_.open<visualization_msgs::MarkerArray>(&node_, names::kSampledWorld);
@@ -37,7 +37,8 @@ void BeliefDisplay::publish(const Worlds& worlds, std::uint64_t revision) {
 }
 
 void BeliefDisplay::publish(const std::vector<LineOfAction>& lines) {
-  lines_.send(lines.size(), [&] { return lineMarkers(lines, line_half_length_, frames_); });
+  lines_.send(lines.size(),
+              [&] { return lineMarkers(lines, line_half_length_, voxel_size_, frames_); });
 }
 
 void BeliefDisplay::onWish(const std_msgs::Int32& message) {

@@ -49,6 +49,7 @@ class PlannerNode {
  public:
   PlannerNode(const PlannerNodeParameters& parameters, const Scenario& scenario)
       : parameters_(parameters),
+        voxel_size_(scenario.voxel_size),
         replica_(parameters.method, scenario, parameters.seed, parameters.method_parameters),
         knowledge_(replica_.knowledge()) {
     maps_ = node_.serviceClient<smore_msgs::TwinMaps>(names::kTwinMaps);
@@ -174,11 +175,11 @@ class PlannerNode {
   void show(const Plan& plan, const nav_msgs::Path& message) {
     path_.publish(message);
     if (tree_.getNumSubscribers() > 0) {
-      tree_.publish(treeMarkers(plan.tree, parameters_.frames.world));
+      tree_.publish(treeMarkers(plan.tree, voxel_size_, parameters_.frames.world));
     }
     const Path dense = densify(plan.path, kColorDistance, kColorAngle);
     const std::vector<double> risks = replica_.risksAlong(dense);
-    markers_.publish(pathMarkers(dense, risks, parameters_.frames.world));
+    markers_.publish(pathMarkers(dense, risks, voxel_size_, parameters_.frames.world));
     if (ghost_.getNumSubscribers() == 0) return;
     ghost_.publish(ghostMarkers(dense, risks, knowledge_.object, parameters_.frames.world));
   }
@@ -211,6 +212,7 @@ class PlannerNode {
   }
 
   PlannerNodeParameters parameters_;
+  double voxel_size_;  ///< of the maps [m]
   MethodReplica replica_;
   PoseKnowledge knowledge_;  ///< of the replica, as it was when it was last brought up to date
   std::uint64_t revision_ = 0;

@@ -13,9 +13,10 @@ namespace smore {
 namespace {
 
 constexpr float kSceneOpacity = 0.35F;  // the maps are to be seen through the true shapes
-constexpr double kLineWidth = 0.004;    // [m]
-constexpr double kPathWidth = 0.01;     // [m]
-constexpr double kTreeWidth = 0.001;    // [m]
+// Widths of lines, in voxels: thin beside the smallest that a map shows. Our choice.
+constexpr double kLineWidth = 0.13;
+constexpr double kPathWidth = 0.33;
+constexpr double kTreeWidth = 0.03;
 
 struct GeometryToMarker {
   visualization_msgs::Marker* marker;
@@ -148,11 +149,12 @@ visualization_msgs::MarkerArray robotMarkers(const urdf::ModelInterface& urdf) {
 }
 
 visualization_msgs::MarkerArray lineMarkers(const std::vector<LineOfAction>& lines,
-                                            double half_length, const FrameNames& frames) {
+                                            double half_length, double voxel_size,
+                                            const FrameNames& frames) {
   visualization_msgs::MarkerArray array;
   visualization_msgs::Marker marker =
       makeMarker(frames.object, "lines", 0, visualization_msgs::Marker::LINE_LIST);
-  marker.scale.x = kLineWidth;
+  marker.scale.x = kLineWidth * voxel_size;
   marker.color = makeColor(0.9F, 0.5F, 0.1F, 0.5F);
   marker.frame_locked = true;
   for (const LineOfAction& line : lines) {
@@ -166,11 +168,11 @@ visualization_msgs::MarkerArray lineMarkers(const std::vector<LineOfAction>& lin
 }
 
 visualization_msgs::MarkerArray pathMarkers(const Path& path, const std::vector<double>& risks,
-                                            const std::string& frame) {
+                                            double voxel_size, const std::string& frame) {
   visualization_msgs::MarkerArray array;
   visualization_msgs::Marker marker =
       makeMarker(frame, "path", 0, visualization_msgs::Marker::LINE_STRIP);
-  marker.scale.x = kPathWidth;
+  marker.scale.x = kPathWidth * voxel_size;
   for (size_t i = 0; i < path.size(); ++i) {
     marker.points.push_back(toPoint(path[i].translation()));
     marker.colors.push_back(riskColor(risks.at(i)));
@@ -180,12 +182,12 @@ visualization_msgs::MarkerArray pathMarkers(const Path& path, const std::vector<
   return array;
 }
 
-visualization_msgs::MarkerArray treeMarkers(const std::vector<TreeEdge>& tree,
+visualization_msgs::MarkerArray treeMarkers(const std::vector<TreeEdge>& tree, double voxel_size,
                                             const std::string& frame) {
   visualization_msgs::MarkerArray array;
   visualization_msgs::Marker marker =
       makeMarker(frame, "tree", 0, visualization_msgs::Marker::LINE_LIST);
-  marker.scale.x = kTreeWidth;
+  marker.scale.x = kTreeWidth * voxel_size;
   marker.color = makeColor(0.9F, 0.9F, 0.6F, 0.6F);
   for (const TreeEdge& edge : tree) {
     marker.points.push_back(toPoint(edge.from));

@@ -148,7 +148,7 @@ TEST(LineMarkers, HaveTubesOfTwoStandardDeviationsAroundUncertainLines) {
   line.offset_stddev = 0.01;
   LineOfAction exact = line;
   exact.direction_stddev = exact.offset_stddev = 0.0;
-  const MarkerArray array = lineMarkers({line, exact}, 0.5, kFrames);
+  const MarkerArray array = lineMarkers({line, exact}, 0.5, 0.03, kFrames);
   EXPECT_EQ(find(array, "lines")->points.size(), 4U);
   const Marker* tube = find(array, "uncertainty");
   ASSERT_NE(tube, nullptr);
@@ -162,7 +162,7 @@ TEST(LineMarkers, HaveTubesOfTwoStandardDeviationsAroundUncertainLines) {
   }
   EXPECT_NEAR(least, 0.02, 1e-9) << "in the middle";
   EXPECT_NEAR(most, 2.0 * std::hypot(0.01, 0.05 * 0.5), 1e-9) << "at the ends";
-  EXPECT_EQ(find(lineMarkers({exact}, 0.5, kFrames), "uncertainty"), nullptr);
+  EXPECT_EQ(find(lineMarkers({exact}, 0.5, 0.03, kFrames), "uncertainty"), nullptr);
 }
 
 TEST(GhostMarkers, StandFromTheStartToTheGoalInTheColoursOfTheRisk) {

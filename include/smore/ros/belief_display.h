@@ -25,9 +25,10 @@ std::shared_ptr<const Worlds> worldsOf(const TwinMap& maps);
 /// sampled worlds which somebody asks for on `shown_world`.
 class BeliefDisplay {
  public:
-  /// Lines are shown `line_half_length` [m] to either side. The queue of `node` is called by who
-  /// serves it.
-  BeliefDisplay(const ros::NodeHandle& node, const FrameNames& frames, double line_half_length);
+  /// Lines are shown `line_half_length` [m] to either side, beside voxels of `voxel_size` [m]. The
+  /// queue of `node` is called by who serves it.
+  BeliefDisplay(const ros::NodeHandle& node, const FrameNames& frames, double line_half_length,
+                double voxel_size);
 
   /// Whether somebody looks at worlds or places of which not this revision was sent.
   bool isDue(std::uint64_t revision);
@@ -42,7 +43,7 @@ class BeliefDisplay {
   void onWish(const std_msgs::Int32& message);
 
   FrameNames frames_;
-  double line_half_length_;
+  double line_half_length_, voxel_size_;
   ros::NodeHandle node_;
   std::atomic<int> wished_{0};  ///< rank of the world to be shown; 0: none
   int shown_ = 0;               ///< that was shown last

@@ -23,17 +23,18 @@ visualization_msgs::MarkerArray robotMarkers(const urdf::ModelInterface& urdf);
 
 /// The lines of action as one marker `lines`, each `half_length` [m] to either side of its point,
 /// and as one marker `uncertainty` the tubes of two of their standard deviations around them, in
-/// the object frame.
+/// the object frame. Here and below lines are as wide as suits maps of `voxel_size` [m].
 visualization_msgs::MarkerArray lineMarkers(const std::vector<LineOfAction>& lines,
-                                            double half_length, const FrameNames& frames);
+                                            double half_length, double voxel_size,
+                                            const FrameNames& frames);
 
 /// The path as one line in the world frame, coloured at each pose by its entry in `risks` (as many
 /// as poses, each in [0, 1]): cyan for 0 to purple for 1.
 visualization_msgs::MarkerArray pathMarkers(const Path& path, const std::vector<double>& risks,
-                                            const std::string& frame);
+                                            double voxel_size, const std::string& frame);
 
 /// The edges of a search as one list of lines in the world frame.
-visualization_msgs::MarkerArray treeMarkers(const std::vector<TreeEdge>& tree,
+visualization_msgs::MarkerArray treeMarkers(const std::vector<TreeEdge>& tree, double voxel_size,
                                             const std::string& frame);
 
 }  // namespace smore
