@@ -70,13 +70,12 @@ void JointBelief::noteContact(const ContactObservation& observation) {
 void JointBelief::addFree(const Pose& T_world_object) {
   if (!free_.add(T_world_object)) return;
   trail_.push_back(free_.centerOf(T_world_object));
+  if (!contacts_.empty()) ++revision_;  // without contacts the maps stay empty
   bool news = at_unit_.empty();
   for (auto& [index, evidence] : at_unit_) {
     news = evidence.addFree(toMap(trail_.back())) || news;
   }
-  if (!news) return;
-  worlds_ = nullptr;
-  if (!contacts_.empty()) ++revision_;  // without contacts the maps stay empty
+  if (news) worlds_ = nullptr;
 }
 
 bool JointBelief::addContact(const Pose& T_world_object, const LineOfAction& line) {

@@ -182,6 +182,30 @@ TEST(JointBelief, WorldsStayAsTheyAreWhileTheBeliefLearnsOn) {
 }
 
 // The first of many threads makes what all of them get.
+// A replica is compared with what it replicates by this number.
+TEST(JointBelief, RevisesAsOftenWheneverTheMapsAreAskedFor) {
+  std::mt19937 random(501);
+  std::uniform_real_distribution<double> step(-0.004, 0.004);
+  JointBelief asked(planarParameters());
+  JointBelief unasked(planarParameters());
+  Vec3 place = Vec3::Zero();
+  double yaw = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    place += Vec3(step(random), step(random), 0.0);
+    yaw += step(random);
+    const Pose pose = makePose(place, {0, 0, yaw});
+    const bool touches = i % 80 == 40;
+    const auto observation =
+        touches ? contactAt(pose, {0.1, 20.0 * step(random), 0}, {-1, 10.0 * step(random), 0})
+                : freeAt(pose, 0);
+    for (JointBelief* belief : {&asked, &unasked}) belief->observe(observation);
+    if (i % 20 == 0) (void)asked.world();
+  }
+  EXPECT_EQ(asked.revision(), unasked.revision());
+  JointBelief replica(planarParameters());
+  EXPECT_GT(asked.revision(), replica.revision() + 100);
+}
+
 TEST(JointBelief, ThreadsThatAskAtOnceShareOneInference) {
   JointBelief belief(planarParameters());
   observeAll(wallObservations(), &belief);

@@ -23,7 +23,8 @@ class TwinMap : public ContactObserver {
   /// next then need not wait.
   virtual void update() const {}
 
-  /// Rises whenever a map changes.
+  /// Rises whenever a map may have changed: by what was observed alone, whenever somebody asked for
+  /// the maps, so that two which were told the same agree in it.
   virtual std::uint64_t revision() const = 0;
 };
 
