@@ -21,7 +21,7 @@ from scene_file import SceneFileError, read_scene
 from scene_geometry import pose_of, transform, triangles_of
 
 # Shares of the diagonal of what is shown. Our choice: they fill the view, and the grid has some ten cells across.
-DISTANCE, WORLD_AXES, OBJECT_AXES, LINE = 1.05, 0.05, 0.03, 0.0012
+DISTANCE, WORLD_AXES, OBJECT_AXES, LINE = 1.2, 0.05, 0.03, 0.0012
 CELLS, GRID_CELLS = 10, 24
 
 
@@ -34,12 +34,15 @@ def arguments():
 
 
 def box_of(scene):
-    """Least and largest coordinates [m] of where the object's origin may be and of the object at its start and goal."""
+    """Least and largest coordinates [m] of where the object's origin may be, of the object at its start and goal, and of
+    an arm's base."""
     points = [np.array(scene["workspace"][end], dtype=float)[None] for end in ("min", "max")]
     object_triangles = triangles_of(scene["object"]) if "object" in scene else []
     for pose in (pose_of(scene["start"]), pose_of(scene["goal"])):
         points.append(pose[None, :3, 3])
         points += [transform(pose, triangles.reshape(-1, 3)) for triangles in object_triangles]
+    if scene["robot"] != "cartesian":
+        points.append(np.array(scene["robot_base"]["position"], dtype=float)[None])
     points = np.concatenate(points)
     return points.min(axis=0), points.max(axis=0)
 

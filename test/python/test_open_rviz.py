@@ -43,9 +43,12 @@ class OpenRvizTest(unittest.TestCase):
         self.assertTrue(np.all(low <= scene["workspace"]["min"]) and np.all(high >= scene["workspace"]["max"]))
         self.assertLess(low[0], scene["goal"]["position"][0] - 0.03)  # half of the mug
 
-    def test_a_task_without_an_object_has_a_box(self):
-        low, high = box_of(read_scene(ROOT / "config/tasks/ur5e.yaml"))
-        self.assertTrue(np.all(low < high))
+    def test_of_a_task_the_box_holds_the_arms_base(self):
+        scene = read_scene(ROOT / "config/tasks/ur5e.yaml")
+        low, high = box_of(scene)
+        base = scene["robot_base"]["position"]
+        self.assertTrue(np.all(low <= base) and np.all(high >= base))
+        self.assertTrue(np.all(high >= scene["workspace"]["max"]))
 
     def test_every_configuration_is_framed_alike_at_every_size(self):
         self.assertEqual(len(CONFIGS), 4)
