@@ -10,7 +10,7 @@ import subprocess
 import sys
 import xml.etree.ElementTree
 
-from project import files, report, say
+from project import ROOT, files, report, say
 
 SCENARIO = "1.10"  # roslaunch makes a number of what looks like one, but for parameters of type str
 
@@ -31,7 +31,7 @@ def unresolved(path):
 
 def missing_programs(path, programs):
     for node in xml.etree.ElementTree.parse(path).getroot().iter("node"):
-        if node.get("pkg") == "smore" and not (programs / node.get("type")).is_file():
+        if node.get("pkg") == "smore" and not any((f / node.get("type")).is_file() for f in (programs, ROOT / "python")):
             yield say(path, 1, f"there is no program {node.get('type')}")
 
 
