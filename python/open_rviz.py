@@ -21,7 +21,7 @@ from scene_file import SceneFileError, read_scene
 from scene_geometry import pose_of, transform, triangles_of
 
 # Shares of the diagonal of what is shown. Our choice: they fill the view, and the grid has some ten cells across.
-DISTANCE, WORLD_AXES, OBJECT_AXES, LINE = 1.2, 0.05, 0.03, 0.0012
+DISTANCE, WORLD_AXES, OBJECT_AXES, AXES_RADIUS = 1.2, 0.05, 0.03, 0.0024
 CELLS, GRID_CELLS = 10, 24
 
 
@@ -71,7 +71,7 @@ def framed(config, box):
             display["Offset"] = dict(zip("XYZ", map(float, at)))
         if display["Class"] == "rviz/Axes":
             length = WORLD_AXES if display["Name"] == "World frame" else OBJECT_AXES
-            display["Length"], display["Radius"] = length * diagonal, 2 * LINE * diagonal
+            display["Length"], display["Radius"] = length * diagonal, AXES_RADIUS * diagonal
     return config
 
 

@@ -17,7 +17,7 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-constexpr double kLetterHeight = 0.03;  // [m]
+constexpr double kLetterHeight = 0.5;  // in units of length
 
 HypothesisMask onlyWorld(int index) { return HypothesisMask{1} << index; }
 
@@ -88,15 +88,15 @@ std_msgs::ColorRGBA likelihoodColor(double probability) {
   return makeColor(0.941F * rest, 0.894F * rest, 0.259F * rest, 1.0F);
 }
 
-Marker label(int rank, double probability, const std::string& frame) {
+Marker label(int rank, double probability, double unit, const std::string& frame) {
   Marker text = makeMarker(frame, "label", 0, Marker::TEXT_VIEW_FACING);
   std::ostringstream words;
   words << std::fixed << std::setprecision(3) << "world " << rank << " of " << kHypotheses
         << ", probability " << probability;
   text.text = words.str();
-  text.scale.z = kLetterHeight;
+  text.scale.z = kLetterHeight * unit;
   text.color = makeColor(1.0F, 1.0F, 1.0F, 1.0F);
-  text.pose.position.z = 4.0 * kLetterHeight;
+  text.pose.position.z = 4.0 * text.scale.z;
   text.frame_locked = static_cast<unsigned char>(true);
   return text;
 }
@@ -131,7 +131,7 @@ MarkerArray sampledWorldMarkers(const Worlds& worlds, int rank, const FrameNames
     WorldDrawing(part, world, &array).drawAll(frames, T_world_map);
   }
   if (array.markers.size() == 1) return array;
-  array.markers.push_back(label(rank, worlds.sampled.shareOf(world), frames.object));
+  array.markers.push_back(label(rank, worlds.sampled.shareOf(world), worlds.unit, frames.object));
   return array;
 }
 

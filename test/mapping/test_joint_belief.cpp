@@ -202,8 +202,7 @@ TEST(JointBelief, RevisesAsOftenWheneverTheMapsAreAskedFor) {
     if (i % 20 == 0) (void)asked.world();
   }
   EXPECT_EQ(asked.revision(), unasked.revision());
-  JointBelief replica(planarParameters());
-  EXPECT_GT(asked.revision(), replica.revision() + 100);
+  EXPECT_GT(asked.revision(), 100U);
 }
 
 TEST(JointBelief, ThreadsThatAskAtOnceShareOneInference) {

@@ -32,12 +32,12 @@ struct MapState {
   bool whole = true;                 ///< false where others than those that came are in the log
 };
 
-/// Rises whenever a map changes, by whatever.
+/// Rises whenever a map may have changed, by whatever.
 inline std::uint64_t revisionOf(const MapState& state) {
   return state.earlier + state.maps->revision();
 }
 
-/// How often the maps changed since their log began.
+/// How often the maps may have changed since their log began: the same for all that learnt from it.
 inline std::uint64_t changesOf(const MapState& state) {
   return state.maps->revision() - state.first_revision;
 }
