@@ -9,6 +9,7 @@
 #include "smore/experiment/contact_place.h"
 #include "smore/experiment/first_touch.h"
 #include "smore/experiment/scored_belief.h"
+#include "smore/planning/risk_calibration.h"
 
 namespace smore {
 namespace {
@@ -90,7 +91,9 @@ class TrialReplay {
 
   void askBefore(const RecordedMotion& motion) {
     const bool touched = motion.end == MotionEnd::kContact;
-    scores_.risks.push_back({belief_.riskOf(motion.path), touched});
+    const double planned = belief_.riskOf(motion.path);
+    scores_.risks.push_back({calibration_.corrected(planned), touched});
+    calibration_.learn(planned, touched);
     const std::vector<Path> legs = legsOf(motion.path, speed_);
     if (!legs.empty()) {
       std::optional<int> leg;
@@ -171,6 +174,7 @@ class TrialReplay {
   std::vector<const RecordedMotion*> motions_;
   const RecordedMotion* way_out_;
   ScoredBelief belief_;
+  RiskCalibration calibration_;  ///< by the motions that are asked about
   std::size_t observed_ = 0;
   std::vector<const ContactObservation*> contacts_;  ///< those with a line
   std::vector<std::optional<Vec3>> places_;          ///< the true ones, in the object frame

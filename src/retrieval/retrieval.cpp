@@ -43,6 +43,7 @@ Retrieval::Retrieval(const RetrievalParameters& parameters, Robot* robot, Planne
 RetrievalOutcome Retrieval::run() {
   outcome_ = {};
   progress_ = {};
+  calibration_ = {};
   Plan plan;
   if (atGoal()) {
     finish(true, "the object was at the goal already");
@@ -86,6 +87,8 @@ bool Retrieval::findPlan(Plan* plan) {
     ++progress_.plans;
     if (result) {
       *plan = std::move(*result);
+      planned_risk_ = plan->risk;
+      plan->risk = calibration_.corrected(plan->risk);
       progress_.risk = plan->risk;
       outcome_.path = plan->path;
       return true;
@@ -118,7 +121,9 @@ bool Retrieval::execute(const Plan& plan) {
   outcome_.path_length = motion.length;
   refused_ = motion.end == MotionEnd::kUnreachable ? refused_ + 1 : 0;
   if (motion.end == MotionEnd::kReached || motion.end == MotionEnd::kContact) {
-    outcome_.motions.push_back({plan.risk, motion.end == MotionEnd::kContact});
+    const bool touched = motion.end == MotionEnd::kContact;
+    outcome_.motions.push_back({plan.risk, touched});
+    calibration_.learn(planned_risk_, touched);
   }
   switch (motion.end) {
     case MotionEnd::kReached:

@@ -66,7 +66,7 @@ TEST_F(RetrievalTest, endsAtTheGoal) {
   ASSERT_EQ(news_.size(), 3u);
   EXPECT_EQ(news_[0].phase, Phase::kPlanning);
   EXPECT_EQ(news_[1].phase, Phase::kMoving);
-  EXPECT_EQ(news_[1].risk, 0.25);
+  EXPECT_EQ(news_[1].risk, RiskCalibration().corrected(0.25));
   EXPECT_EQ(news_[2].phase, Phase::kFinished);
 }
 
@@ -78,7 +78,12 @@ TEST_F(RetrievalTest, resetsToTheStartAfterEachContact) {
   ASSERT_EQ(outcome.motions.size(), 3u);
   EXPECT_TRUE(outcome.motions[1].touched);
   EXPECT_FALSE(outcome.motions[2].touched);
-  EXPECT_EQ(outcome.motions[2].risk, 0.25);
+  RiskCalibration calibration;
+  for (const PlannedMotion& motion : outcome.motions) {
+    EXPECT_EQ(motion.risk, calibration.corrected(0.25));
+    calibration.learn(0.25, motion.touched);
+  }
+  EXPECT_GT(outcome.motions[2].risk, outcome.motions[0].risk) << "both before it touched";
   EXPECT_EQ(robot_.calls,
             (std::vector<std::string>{"follow", "reset", "follow", "reset", "follow"}));
 }

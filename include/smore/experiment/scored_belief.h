@@ -30,7 +30,7 @@ class ScoredBelief {
   std::size_t contactCount() const { return belief_->contactCount(); }
   int worldCount() const { return kHypotheses; }
 
-  /// Probability that a motion ends at a contact, as the planner would state it.
+  /// Probability that a motion ends at a contact, as a plan of it would say.
   double riskOf(const Path& path) const;
 
   /// Weight of the worlds in which it touches.

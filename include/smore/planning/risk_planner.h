@@ -35,7 +35,7 @@ struct RiskPlannerParameters {
 /// Least risk first, then length: bidirectional trees in the states whose risk stays below a limit,
 /// the limit raised rung by rung until there are paths; in space also ways in another posture, and
 /// the best paths of earlier searches. Of these, improved by shortcuts and moves, the one with the
-/// best objective over the joint samples (docs/planning.md (P2)). There is always a path unless
+/// best objective over the joint samples (docs/planning.md (P3)). There is always a path unless
 /// start or goal lie outside of the workspace: at the last rung everything is allowed.
 ///
 /// The same seed and the same calls give the same paths, unless the time limit ends a search.

@@ -8,6 +8,7 @@
 
 #include "smore/common/robot.h"
 #include "smore/planning/planner.h"
+#include "smore/planning/risk_calibration.h"
 #include "smore/retrieval/motion_observer.h"
 #include "smore/scenario/scenario.h"
 
@@ -41,12 +42,12 @@ struct RetrievalProgress {
   Phase phase = Phase::kPlanning;
   int collisions = 0;
   int plans = 0;      ///< planning calls so far, successful or not
-  double risk = 0.0;  ///< of the present plan, in [0, 1]
+  double risk = 0.0;  ///< of the present plan, corrected (RiskCalibration), in [0, 1]
 };
 
 /// A planned motion that was made to its end or to a contact.
 struct PlannedMotion {
-  double risk = 0.0;     ///< probability of a contact that the planner stated, in [0, 1]
+  double risk = 0.0;     ///< probability of a contact that was stated before, in [0, 1]
   bool touched = false;  ///< whether a contact ended it
 };
 
@@ -100,7 +101,9 @@ class Retrieval {
   MotionObserver* motions_;
   RetrievalProgress progress_;
   RetrievalOutcome outcome_;
-  int refused_ = 0;  ///< paths in a row that the robot could not follow
+  RiskCalibration calibration_;
+  double planned_risk_ = 0.0;  ///< of the present plan, as the planner stated it
+  int refused_ = 0;            ///< paths in a row that the robot could not follow
   Pose last_contact_pose_ = Pose::Identity();
   std::atomic<bool> stop_requested_{false};
 };

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "smore/planning/risk_calibration.h"
+
+namespace smore {
+namespace {
+
+double withShift(double risk, double shift) {
+  const double odds = risk / (1.0 - risk) * std::exp(shift);
+  return odds / (1.0 + odds);
+}
+
+TEST(RiskCalibration, statesMoreThanPlansDoAtFirst) {
+  const RiskCalibration calibration;
+  for (const double risk : {0.01, 0.3, 0.5, 0.9}) {
+    EXPECT_GT(calibration.corrected(risk), risk);
+    EXPECT_LT(calibration.corrected(risk), withShift(risk, 1.5));
+  }
+}
+
+TEST(RiskCalibration, keepsTheOrderOfPlansAndWhatIsCertain) {
+  RiskCalibration calibration;
+  calibration.learn(0.2, true);
+  double before = calibration.corrected(0.0);
+  EXPECT_EQ(before, 0.0);
+  for (double risk = 0.01; risk < 1.0; risk += 0.01) {
+    EXPECT_GT(calibration.corrected(risk), before);
+    before = calibration.corrected(risk);
+  }
+  EXPECT_EQ(calibration.corrected(1.0), 1.0);
+}
+
+TEST(RiskCalibration, learnsNothingFromWhatWasCertain) {
+  RiskCalibration calibration;
+  const double before = calibration.corrected(0.4);
+  calibration.learn(0.0, true);
+  calibration.learn(1.0, false);
+  EXPECT_EQ(calibration.corrected(0.4), before);
+}
+
+// Forecasts whose odds are off by one factor, in either direction.
+TEST(RiskCalibration, findsHowFarStatedRisksAreOff) {
+  for (const double shift : {-1.5, 0.0, 2.0}) {
+    RiskCalibration calibration;
+    std::mt19937 random(17);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    for (int i = 0; i < 2000; ++i) {
+      const double risk = 0.02 + 0.96 * uniform(random);
+      calibration.learn(risk, uniform(random) < withShift(risk, shift));
+    }
+    for (const double risk : {0.1, 0.5, 0.9}) {
+      EXPECT_NEAR(calibration.corrected(risk), withShift(risk, shift), 0.05) << shift;
+    }
+  }
+}
+
+// The posterior by a fine integral over the shift.
+TEST(RiskCalibration, followsBayesRule) {
+  RiskCalibration calibration;
+  calibration.learn(0.3, true);
+  calibration.learn(0.6, false);
+  double contact = 0.0;
+  double sum = 0.0;
+  for (double shift = -6.0; shift < 8.0; shift += 0.001) {
+    const double weight = std::exp(-0.5 * std::pow((shift - 1.0) / 0.7, 2)) *
+                          withShift(0.3, shift) * (1.0 - withShift(0.6, shift));
+    contact += weight * withShift(0.5, shift);
+    sum += weight;
+  }
+  EXPECT_NEAR(calibration.corrected(0.5), contact / sum, 1e-4);
+}
+
+// Nothing overflows however long a run goes on one way.
+TEST(RiskCalibration, staysAProbabilityInLongRuns) {
+  for (const bool touched : {true, false}) {
+    RiskCalibration calibration;
+    for (int i = 0; i < 100000; ++i) calibration.learn(0.5, touched);
+    EXPECT_GT(calibration.corrected(0.5), 0.0);
+    EXPECT_LT(calibration.corrected(0.5), 1.0);
+    EXPECT_EQ(calibration.corrected(0.5) > 0.9, touched);
+  }
+}
+
+}  // namespace
+}  // namespace smore
