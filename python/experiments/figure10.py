@@ -15,7 +15,7 @@ from experiments.trials import ROOT, evidence_of, recorded, reported_seeds
 
 WHAT = "a chair reconstructed with a rod, by touches at random and informed ones (its figure 10)"
 SCENE = ROOT / "config/scenarios/chair.yaml"
-OPTIONS = {"random": ("--random-touches",), "informed": ()}
+OPTIONS = {"random": ("--random-touches",), "informed": ("--informed-touches",)}
 COLORS = {"random": "#d55e00", "informed": "#0072b2"}
 STYLES = {"random": "--", "informed": "-"}
 TOUCHES, QUICK_TOUCHES = 30, 10

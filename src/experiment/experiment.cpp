@@ -107,6 +107,7 @@ TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& param
   if (parameters.random_touches) {
     method.touches = std::make_unique<RandomTouches>(scenario.motionSpace(), seed);
   }
+  if (parameters.informed_touches) method.touches = makeInformedTouches(method, scenario, seed);
   const auto recording = startRecording(scenario, parameters, seed, scene, priors, *simulated);
   InProcessRobot robot(simulated.get(), sensingParameters(scene), seed,
                        [&](const ContactObservation& observation) {

@@ -64,6 +64,8 @@ po::options_description optionsFor(Arguments* arguments) {
       "further touches for the maps once the object is out (planar motion only)");
   add("random-touches", po::bool_switch(&parameters.random_touches),
       "touch at random where the method would choose; for comparison");
+  add("informed-touches", po::bool_switch(&parameters.informed_touches),
+      "touch where most is told in space too, where touches are at random; for comparison");
   add("output", po::value(&arguments->output)->value_name("FILE"),
       "result file (JSON) instead of standard output; with --validate, the scenario as read");
   add("maps", po::value(&parameters.maps_directory)->value_name("DIRECTORY"),
@@ -132,6 +134,12 @@ int run(Arguments arguments) {
   arguments.parameters.method = smore::methodKind(arguments.method);
   if (!arguments.method_parameters.empty() && arguments.method != "smore") {
     throw smore::InputError("--parameters: only the method smore takes them");
+  }
+  if (arguments.parameters.informed_touches && arguments.method != "smore") {
+    throw smore::InputError("--informed-touches: only the method smore can choose them");
+  }
+  if (arguments.parameters.informed_touches && arguments.parameters.random_touches) {
+    throw smore::InputError("--informed-touches and --random-touches: give one of them");
   }
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);

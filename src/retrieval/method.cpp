@@ -111,9 +111,12 @@ Method makeSmore(const Scenario& scenario, std::uint64_t seed, const MethodParam
   auto belief = makeJointBelief(scenario, seed, parameters.belief, priors);
   method.planner =
       std::make_unique<RiskPlanner>(*belief, scenario.motionSpace(), parameters.planner, seed);
-  method.touches = std::make_unique<InformedTouches>(*belief, scenario.motionSpace(),
-                                                     InformedTouchParameters{}, seed);
   method.maps = std::move(belief);
+  if (scenario.motion == Motion::kPlanar) {
+    method.touches = makeInformedTouches(method, scenario, seed);
+  } else {
+    method.touches = std::make_unique<RandomTouches>(scenario.motionSpace(), seed);
+  }
   return method;
 }
 
@@ -149,6 +152,12 @@ std::string methodName(MethodKind kind) {
       return "chs";
   }
   return "unknown";
+}
+
+std::unique_ptr<TouchPlanner> makeInformedTouches(const Method& method, const Scenario& scenario,
+                                                  std::uint64_t seed) {
+  return std::make_unique<InformedTouches>(dynamic_cast<const JointBelief&>(*method.maps),
+                                           scenario.motionSpace(), InformedTouchParameters{}, seed);
 }
 
 void checkPriors(MethodKind kind, const Priors& priors) {

@@ -25,6 +25,8 @@ reference=$scenarios/s_shape_two_pegs.yaml
 expect 2 "--scenario is required"
 expect 2 "--trials" --scenario "$reference" --trials 0
 expect 2 "--method" --scenario "$reference" --method guess
+expect 2 "--informed-touches: only the method smore" --scenario "$reference" --method paper --informed-touches
+expect 2 "give one of them" --scenario "$reference" --informed-touches --random-touches
 expect 2 "scenario '/nowhere.yaml': there is no readable file" --scenario /nowhere.yaml
 expect 2 "one of: c_on_peg, chair" --scenario nowhere
 expect 0 "/one_peg.yaml: valid" --scenario one_peg --validate

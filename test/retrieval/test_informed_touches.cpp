@@ -3,6 +3,7 @@
 
 #include "smore/planning/contact_risk.h"
 #include "smore/retrieval/informed_touches.h"
+#include "smore/retrieval/method.h"
 
 namespace smore {
 namespace {
@@ -78,6 +79,17 @@ TEST(InformedTouches, repeatForASeedAndBeginAtRandom) {
       ASSERT_FALSE(path.empty());
       EXPECT_TRUE(path.back().isApprox(second.nextTouch(Pose::Identity())->back()));
     }
+  }
+}
+
+TEST(InformedTouches, areTheMethodsOwnInThePlaneAlone) {
+  for (const Motion motion : {Motion::kPlanar, Motion::kSpatial}) {
+    Scenario scenario;
+    scenario.motion = motion;
+    const Method method = makeMethod(MethodKind::kSmore, scenario, 1);
+    const bool informed = dynamic_cast<InformedTouches*>(method.touches.get()) != nullptr;
+    EXPECT_EQ(informed, motion == Motion::kPlanar);
+    EXPECT_NE(makeInformedTouches(method, scenario, 1), nullptr);
   }
 }
 

@@ -24,6 +24,7 @@ struct ExperimentParameters {
   int max_collisions = 2000;
   int touches_after_success = 0;  ///< further touches for the sake of the maps, not negative
   bool random_touches = false;    ///< touch at random, whatever the method knows better
+  bool informed_touches = false;  ///< where they tell most, also in space; needs the method smore
   std::string maps_directory;     ///< where each trial's maps are saved; empty: they are not
   std::string record_directory;   ///< where each trial's evidence is recorded; it exists
 };

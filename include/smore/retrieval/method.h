@@ -43,6 +43,12 @@ struct Method {
   }
 };
 
+/// Touches that tell most by what `method` has learnt, which must be smore; a view of it. Its own
+/// touches are these in planar motion, and in space random ones, of which maps get better there
+/// (docs/touches.md).
+std::unique_ptr<TouchPlanner> makeInformedTouches(const Method& method, const Scenario& scenario,
+                                                  std::uint64_t seed);
+
 /// InputError where a method cannot use what is known beforehand, or lacks what it must be told:
 /// only smore takes it all, and chs needs the object's shape, and nothing of the world.
 void checkPriors(MethodKind kind, const Priors& priors);
