@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../scenario/temporary_directory.h"
+#include "refusal.h"
 #include "smore/common/json_fields.h"
 #include "smore/common/json_lines.h"
 #include "smore/common/result.h"
@@ -34,12 +35,7 @@ std::vector<Json> recordsOf(const std::string& file, bool* whole = nullptr) {
 }
 
 std::string problemOf(const std::string& file) {
-  try {
-    recordsOf(file);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return refusalOf([&] { return recordsOf(file); });
 }
 
 class JsonLines : public ::testing::Test {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 
+#include "refusal.h"
 #include "smore/common/parameters.h"
 #include "smore/common/result.h"
 #include "smore/common/yaml_file.h"
@@ -22,12 +23,7 @@ class LoadYaml : public testing::Test {
   }
 
   std::string problemOf(const std::string& content) {
-    try {
-      load(content);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "none";
+    return refusalOf([&] { return load(content); });
   }
 
   void expectProblem(const std::string& content, const std::string& part) {
@@ -83,7 +79,7 @@ TEST_F(LoadYaml, refusesASecondDocument) {
 TEST_F(LoadYaml, refusesAKeyThatStandsTwiceAtAnyDepth) {
   expectProblem("a: 1\nb: 2\na: 3\n", "line 3: the key 'a' is given twice");
   expectProblem("a:\n  - {b: 1}\n  - {c: 1, c: 2}\n", "line 3: the key 'c' is given twice");
-  EXPECT_EQ(problemOf("a: {c: 1}\nb: {c: 1}\n"), "none");
+  EXPECT_EQ(problemOf("a: {c: 1}\nb: {c: 1}\n"), "");
 }
 
 TEST_F(LoadYaml, refusesAnAliasIntoItself) {

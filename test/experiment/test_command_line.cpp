@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "smore/common/result.h"
+#include "../common/refusal.h"
 #include "smore/experiment/command_line.h"
 
 namespace smore {
@@ -42,12 +42,7 @@ std::optional<std::string> read(std::vector<const char*> arguments, Values* valu
 
 std::string problemOf(const std::vector<const char*>& arguments) {
   Values values;
-  try {
-    read(arguments, &values);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return refusalOf([&] { return read(arguments, &values); });
 }
 
 TEST(CommandLine, setsWhatIsGivenAndLeavesTheRest) {

@@ -6,25 +6,13 @@
 #include <fstream>
 #include <string>
 
+#include "bar_behind_peg.h"
 #include "smore/experiment/experiment.h"
-#include "smore/scenario/scenario.h"
 
 namespace smore {
 namespace {
 
 const std::atomic<bool> kNotInterrupted{false};
-
-// A bar behind one peg: two or three touches find the way.
-Scenario smallScene() {
-  Scenario scenario;
-  scenario.name = "small";
-  scenario.object = {{BoxShape{Vec3(0.06, 0.3, 0.06)}, Pose::Identity()}};
-  scenario.environment = {{CylinderShape{0.03, 0.3}, makePose(Vec3(-0.2, 0.1, 0.0))}};
-  scenario.goal = makePose(Vec3(-0.4, 0, 0));
-  scenario.workspace = {Vec3(-0.6, -0.4, -0.01), Vec3(0.2, 0.4, 0.01)};
-  scenario.perturb = {0.01, 0.05};
-  return scenario;
-}
 
 ExperimentParameters parametersFor(MethodKind method) {
   ExperimentParameters parameters;
@@ -37,7 +25,7 @@ ExperimentParameters parametersFor(MethodKind method) {
 class EachMethod : public ::testing::TestWithParam<MethodKind> {};
 
 TEST_P(EachMethod, bringsTheObjectToTheGoal) {
-  Scenario scenario = smallScene();
+  Scenario scenario = barBehindPeg();
   if (GetParam() == MethodKind::kChs) scenario.prior.object = {PriorSource{}};
   const auto trials =
       runExperiment(scenario, parametersFor(GetParam()), kNotInterrupted, [](const auto&) {});
@@ -59,9 +47,9 @@ INSTANTIATE_TEST_SUITE_P(Methods, EachMethod,
 TEST(RunExperiment, givesTheSameResultsWithTwoJobs) {
   ExperimentParameters parameters = parametersFor(MethodKind::kPaper);
   parameters.trials = 4;
-  const auto one = runExperiment(smallScene(), parameters, kNotInterrupted, [](const auto&) {});
+  const auto one = runExperiment(barBehindPeg(), parameters, kNotInterrupted, [](const auto&) {});
   parameters.jobs = 2;
-  const auto two = runExperiment(smallScene(), parameters, kNotInterrupted, [](const auto&) {});
+  const auto two = runExperiment(barBehindPeg(), parameters, kNotInterrupted, [](const auto&) {});
   ASSERT_EQ(one.size(), two.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].seed, i + 1);
@@ -78,7 +66,8 @@ TEST(RunExperiment, stopsAtTheCollisionLimit) {
   ExperimentParameters parameters = parametersFor(MethodKind::kPaper);
   parameters.trials = 1;
   parameters.max_collisions = 1;
-  const auto trials = runExperiment(smallScene(), parameters, kNotInterrupted, [](const auto&) {});
+  const auto trials =
+      runExperiment(barBehindPeg(), parameters, kNotInterrupted, [](const auto&) {});
   ASSERT_EQ(trials.size(), 1u);
   EXPECT_FALSE(trials[0].success);
   EXPECT_EQ(trials[0].collisions, 1);
@@ -89,7 +78,7 @@ TEST(RunExperiment, leavesInterruptedTrialsOut) {
   ExperimentParameters parameters = parametersFor(MethodKind::kPaper);
   parameters.trials = 100;
   const auto trials = runExperiment(
-      smallScene(), parameters, interrupted,
+      barBehindPeg(), parameters, interrupted,
       [&](const ExperimentProgress& progress) { interrupted = interrupted || progress.finished; });
   EXPECT_GE(trials.size(), 1u);
   EXPECT_LT(trials.size(), 100u);
@@ -103,7 +92,8 @@ TEST(RunExperiment, aTrialThatBreaksCostsNoOther) {
   std::filesystem::remove_all(parameters.maps_directory);
   std::filesystem::create_directories(parameters.maps_directory);
   std::ofstream(parameters.maps_directory + "/seed_2") << "a file where a directory should be";
-  const auto trials = runExperiment(smallScene(), parameters, kNotInterrupted, [](const auto&) {});
+  const auto trials =
+      runExperiment(barBehindPeg(), parameters, kNotInterrupted, [](const auto&) {});
   std::filesystem::remove_all(parameters.maps_directory);
   ASSERT_EQ(trials.size(), 3u);
   EXPECT_FALSE(trials[0].broken);
@@ -114,7 +104,7 @@ TEST(RunExperiment, aTrialThatBreaksCostsNoOther) {
 }
 
 TEST(RunExperiment, reconstructsByTouchingUntilTheBudget) {
-  Scenario scenario = smallScene();
+  Scenario scenario = barBehindPeg();
   scenario.task = Task::kReconstruct;
   scenario.reconstruct_touches = 5;
   ExperimentParameters parameters = parametersFor(MethodKind::kPaper);

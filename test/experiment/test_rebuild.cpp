@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "../scenario/temporary_directory.h"
+#include "bar_behind_peg.h"
 #include "smore/common/result.h"
 #include "smore/experiment/experiment.h"
 #include "smore/experiment/rebuild.h"
@@ -18,15 +19,9 @@ namespace {
 
 const std::atomic<bool> kNotInterrupted{false};
 
-// A bar behind one peg, and a sensor with errors.
+// With a sensor that errs.
 Scenario smallScene() {
-  Scenario scenario;
-  scenario.name = "small";
-  scenario.object = {{BoxShape{Vec3(0.06, 0.3, 0.06)}, Pose::Identity()}};
-  scenario.environment = {{CylinderShape{0.03, 0.3}, makePose(Vec3(-0.2, 0.1, 0.0))}};
-  scenario.goal = makePose(Vec3(-0.4, 0, 0));
-  scenario.workspace = {Vec3(-0.6, -0.4, -0.01), Vec3(0.2, 0.4, 0.01)};
-  scenario.perturb = {0.01, 0.05};
+  Scenario scenario = barBehindPeg();
   scenario.line_noise = {0.02, 0.002};
   return scenario;
 }

@@ -5,7 +5,7 @@
 #include <regex>
 #include <sstream>
 
-#include "smore/common/result.h"
+#include "../common/refusal.h"
 #include "smore/kinematics/arm_model.h"
 #include "smore/kinematics/described_arm.h"
 
@@ -33,12 +33,8 @@ std::string replaced(const std::string& from, const std::string& to) {
 }
 
 std::string problemOf(RobotKind arm, const std::string& xml) {
-  try {
-    describedArm(scenarioWith(arm), parseUrdf(xml, "the test's description"));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return refusalOf(
+      [&] { return describedArm(scenarioWith(arm), parseUrdf(xml, "the test's description")); });
 }
 
 // The chain of the description, multiplied out by the tree of the description itself.

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 #include <octomap/octomap.h>
 
+#include "../common/refusal.h"
 #include "../scenario/meshes.h"
 #include "../scenario/temporary_directory.h"
-#include "smore/common/result.h"
 #include "smore/mapping/octomap_export.h"
 #include "smore/mapping/prior_maps.h"
 
@@ -41,12 +41,7 @@ Said saidAt(const Prior& prior, const Vec3& place) {
 }
 
 std::string problemOf(const Scenario& scene) {
-  try {
-    (void)makePriors(scene);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return refusalOf([&] { return makePriors(scene); });
 }
 
 TEST(PriorMaps, TheTruthSaysEverythingInThePlane) {

@@ -6,6 +6,7 @@
 #include <random>
 #include <sstream>
 
+#include "../common/refusal.h"
 #include "../scenario/temporary_directory.h"
 #include "smore/common/result.h"
 #include "smore/planning/cspace_memory.h"
@@ -100,12 +101,7 @@ class EvidenceFile : public ::testing::TestWithParam<MethodKind> {
 
   // The message of reading `content`; empty where it can be read.
   std::string problemOf(const std::string& content) const {
-    try {
-      readEvidence(directory_.write("problem.evidence", content));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return refusalOf([&] { return readEvidence(directory_.write("problem.evidence", content)); });
   }
 
   TemporaryDirectory directory_;

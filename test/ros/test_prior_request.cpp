@@ -4,6 +4,7 @@
 #include <cstring>
 #include <limits>
 
+#include "../common/refusal.h"
 #include "../scenario/temporary_directory.h"
 #include "smore/ros/prior_request.h"
 
@@ -57,12 +58,7 @@ Result<Pose> nowhere(const std::string& /*target*/, const std_msgs::Header& /*cl
 }
 
 std::string problemOf(const Request& request) {
-  try {
-    (void)readRequest(request, FrameNames{}, nowhere);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return refusalOf([&] { return readRequest(request, FrameNames{}, nowhere); });
 }
 
 TEST(PriorRequest, givesThePointsOfACloudThatAreFinite) {

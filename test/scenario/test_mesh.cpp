@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <random>
 
+#include "../common/refusal.h"
 #include "meshes.h"
-#include "smore/common/result.h"
 #include "smore/scenario/mesh.h"
 #include "smore/scenario/tessellation.h"
 #include "temporary_directory.h"
@@ -66,12 +66,7 @@ class MeshTest : public testing::Test {
   }
 
   std::string problemOf(const std::string& name, const std::string& content) {
-    try {
-      load(name, content);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "none";
+    return refusalOf([&] { return load(name, content); });
   }
 
   TemporaryDirectory directory_;

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <random>
 
+#include "../common/refusal.h"
 #include "smore/common/result.h"
 #include "smore/scenario/point_cloud.h"
 #include "temporary_directory.h"
@@ -40,12 +41,7 @@ class PointCloud : public testing::Test {
     return loadPointCloud(directory_.write("some.cloud", content));
   }
   std::string problemOf(const std::string& content) {
-    try {
-      load(content);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "none";
+    return refusalOf([&] { return load(content); });
   }
   TemporaryDirectory directory_;
 };

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "../common/refusal.h"
 #include "meshes.h"
 #include "smore/common/result.h"
 #include "smore/scenario/scenario.h"
@@ -42,12 +43,7 @@ class ScenarioTest : public testing::Test {
   }
 
   std::string problemOf(const std::string& content) {
-    try {
-      load(content);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "none";
+    return refusalOf([&] { return load(content); });
   }
 
   void expectProblem(const std::string& content, const std::string& part) {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "smore/common/result.h"
+#include "../common/refusal.h"
 #include "smore/scenario/scenario_files.h"
 #include "temporary_directory.h"
 
@@ -15,12 +15,7 @@ class FindScenario : public testing::Test {
   FindScenario() { directory_.write("scene.yaml", "name: scene"); }
 
   std::string problemOf(const std::string& name_or_path) {
-    try {
-      findScenario(name_or_path, directory_.path());
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "none";
+    return refusalOf([&] { return findScenario(name_or_path, directory_.path()); });
   }
 
   void expectProblem(const std::string& name_or_path, const std::string& part) {
