@@ -13,6 +13,9 @@ namespace {
 constexpr double kFarthest = 0.05;   // [m]
 constexpr double kMostTurned = 0.1;  // [rad]
 
+// What printed numbers are rounded to, and less than any calibration changes.
+constexpr double kRounding = 1e-5;  // [m], [rad]
+
 [[noreturn]] void refuse(const Scenario& scenario, const std::string& joint,
                          const std::string& what) {
   throw InputError("robot_description: joint " + joint + ": " + what + "; it must be that of a " +
@@ -53,6 +56,19 @@ UrdfModel describedArm(const Scenario& scenario, const UrdfModel& description) {
     *own->limits = *described->limits;
   }
   return urdf;
+}
+
+bool isCalibrated(const Scenario& scenario, const UrdfModel& arm) {
+  const UrdfModel nominal = armUrdf(scenario);
+  const ArmModel model(nominal);
+  for (const std::string& name : model.jointNames()) {
+    const Pose table = toPose(nominal->getJoint(name)->parent_to_joint_origin_transform);
+    const Pose found = toPose(arm->getJoint(name)->parent_to_joint_origin_transform);
+    if (distanceBetween(table, found) > kRounding || angleBetween(table, found) > kRounding) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace smore

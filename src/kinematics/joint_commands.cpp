@@ -3,6 +3,7 @@
 
 #include "smore/kinematics/arm_motion.h"
 #include "smore/kinematics/cartesian_joints.h"
+#include "smore/kinematics/described_arm.h"
 
 namespace smore {
 namespace {
@@ -32,7 +33,8 @@ class CartesianCommands : public JointCommands {
 class ArmCommands : public JointCommands {
  public:
   ArmCommands(const Scenario& scenario, const UrdfModel& arm)
-      : motion_(arm, armMotionParameters(scenario)) {}
+      : motion_(arm, armMotionParameters(scenario)),
+        limits_(isCalibrated(scenario, arm) ? kCalibratedToolGap : kNominalToolGap) {}
 
   std::vector<std::string> jointNames() const override {
     const auto& names = motion_.model().jointNames();
@@ -53,8 +55,11 @@ class ArmCommands : public JointCommands {
     return motion_.toolPose(toJointVector(now)).inverse() * T_world_seen_tool;
   }
 
+  ToolGapLimits toolGapLimits() const override { return limits_; }
+
  private:
   ArmMotion motion_;
+  ToolGapLimits limits_;
 };
 
 }  // namespace

@@ -187,7 +187,7 @@ RosRobot::Motion RosRobot::begin(const Path& path) {
 void RosRobot::aimAgain(Motion* motion) {
   const Pose& here = motion->last.T_world_object;
   const Pose& target = motion->progress.target();
-  if (motion->aims == kMostAims || gapBetween(here, target) > kMostToolGap) return;
+  if (motion->aims == kMostAims || gapBetween(here, target) > kNominalToolGap.distance) return;
   const Result<std::vector<double>> joints = joints_.positionsAt(motion->last.time);
   if (!joints) return;
   const Result<JointTrajectory> trajectory = commands_->along(*joints, here, {here, target});

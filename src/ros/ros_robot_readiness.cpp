@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a robot lacks before its first motion.
-#include "smore/kinematics/tool_gap.h"
 #include "smore/ros/ros_robot.h"
 #include "smore/ros/sensor_zero.h"
 
@@ -57,7 +56,7 @@ std::string RosRobot::toolProblem() const {
                                        << " in its axes) from where the joints and the arm's "
                                           "description have it; motions are planned so that tf "
                                           "arrives");
-  return toolGapProblem(*T_tool_seen);
+  return toolGapProblem(*T_tool_seen, commands_->toolGapLimits());
 }
 
 }  // namespace smore

@@ -4,6 +4,7 @@
 
 import unittest
 
+import rospy
 import rostest
 from sensor_msgs.msg import JointState
 
@@ -18,7 +19,8 @@ class SetTcp(unittest.TestCase):
         joints = Recorder("/joint_states", JointState)
         result = RetrieveClient().retrieve()
         self.assertFalse(result.success)
-        for words in ("0.1200) m in the tool's axes", "TCP set on the pendant, set it to zero"):
+        offset = rospy.get_param("~offset")
+        for words in (f"{offset}) m in the tool's axes", "TCP set on the pendant, set it to zero"):
             self.assertIn(words, result.message)
         self.assertLess(max(speed(m) for m in joints.messages()), MOVES)
 

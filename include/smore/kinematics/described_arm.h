@@ -15,4 +15,8 @@ namespace smore {
 /// than 5 cm or 0.1 rad from where the arm's own URDF has it: it is another arm's then.
 UrdfModel describedArm(const Scenario& scenario, const UrdfModel& description);
 
+/// Whether `arm`, of describedArm or armUrdf, carries a factory calibration: one of its joints
+/// stands elsewhere than the maker's table has it, by more than rounding.
+bool isCalibrated(const Scenario& scenario, const UrdfModel& arm);
+
 }  // namespace smore

@@ -9,6 +9,7 @@
 #include "smore/common/geometry.h"
 #include "smore/common/joint_trajectory.h"
 #include "smore/common/result.h"
+#include "smore/kinematics/tool_gap.h"
 #include "smore/kinematics/urdf_model.h"
 #include "smore/scenario/scenario.h"
 
@@ -36,6 +37,10 @@ class JointCommands {
   /// description have it, in the axes of the tool: identity where both agree. Nothing for a robot
   /// without description.
   virtual std::optional<Pose> toolGap(const std::vector<double>& now, const Pose& seen) const = 0;
+
+  /// How large that gap may be: less where the description carries the arm's calibration
+  /// (isCalibrated).
+  virtual ToolGapLimits toolGapLimits() const { return kNominalToolGap; }
 };
 
 /// The joint commands of the scenario's robot; an arm is the maker's nominal one.

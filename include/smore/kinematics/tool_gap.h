@@ -7,14 +7,20 @@
 
 namespace smore {
 
-/// The largest distance at which a tool may be seen from where joints and description have it: what
-/// calibrations leave is a third of it [m].
-constexpr double kMostToolGap = 0.01;
-/// The same of its orientation [rad].
-constexpr double kMostToolTurn = 0.05;
+/// How far a tool may be seen from where joints and description have it.
+struct ToolGapLimits {
+  double distance;  ///< [m]
+  double angle;     ///< [rad]
+};
+
+/// Where the description is the maker's table: what calibrations leave is a third of it.
+constexpr ToolGapLimits kNominalToolGap = {0.01, 0.05};
+/// Where it carries the arm's calibration, by which the controller has its tool to a tenth of it;
+/// what is left is a TCP. A choice: as near as motions arrive.
+constexpr ToolGapLimits kCalibratedToolGap = {0.002, 0.01};
 
 /// Why no motion may begin where the tool is seen at T_tool_seen (JointCommands::toolGap), with the
 /// offset and the remedy; empty where it may.
-std::string toolGapProblem(const Pose& T_tool_seen);
+std::string toolGapProblem(const Pose& T_tool_seen, const ToolGapLimits& limits);
 
 }  // namespace smore
