@@ -51,7 +51,8 @@ class TrialReplay {
         speed_{task_.linear_speed, task_.angular_speed},
         motions_(chosenMotions(evidence, effort.most_motions)),
         way_out_(wayOut(evidence)),
-        belief_(makeBelief()) {}
+        belief_(makeBelief()),
+        calibration_(task_.motion) {}
 
   TrialScores run() {
     scores_.scene = task_.name;

@@ -12,6 +12,7 @@ RetrievalParameters retrievalParameters(const Scenario& scenario) {
   parameters.goal = scenario.goal;
   parameters.goal_position_tolerance = scenario.goal_position_tolerance;
   parameters.goal_angle_tolerance = scenario.goal_angle_tolerance;
+  parameters.motion = scenario.motion;
   parameters.on_contact = scenario.on_contact;
   return parameters;
 }
@@ -43,7 +44,7 @@ Retrieval::Retrieval(const RetrievalParameters& parameters, Robot* robot, Planne
 RetrievalOutcome Retrieval::run() {
   outcome_ = {};
   progress_ = {};
-  calibration_ = {};
+  calibration_ = RiskCalibration(parameters_.motion);
   Plan plan;
   if (atGoal()) {
     finish(true, "the object was at the goal already");

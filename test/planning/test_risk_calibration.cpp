@@ -14,16 +14,18 @@ double withShift(double risk, double shift) {
   return odds / (1.0 + odds);
 }
 
-TEST(RiskCalibration, statesMoreThanPlansDoAtFirst) {
-  const RiskCalibration calibration;
-  for (const double risk : {0.01, 0.3, 0.5, 0.9}) {
-    EXPECT_GT(calibration.corrected(risk), risk);
-    EXPECT_LT(calibration.corrected(risk), withShift(risk, 1.5));
+TEST(RiskCalibration, expectsPlansToSayTooLittleInSpaceAlone) {
+  const RiskCalibration plane(Motion::kPlanar);
+  const RiskCalibration space(Motion::kSpatial);
+  for (const double risk : {0.01, 0.3, 0.5, 0.7, 0.99}) {
+    EXPECT_NEAR(plane.corrected(risk), risk, 0.03);
+    EXPECT_GT(space.corrected(risk), plane.corrected(risk));
+    EXPECT_LT(space.corrected(risk), withShift(risk, 1.5));
   }
 }
 
 TEST(RiskCalibration, keepsTheOrderOfPlansAndWhatIsCertain) {
-  RiskCalibration calibration;
+  RiskCalibration calibration(Motion::kSpatial);
   calibration.learn(0.2, true);
   double before = calibration.corrected(0.0);
   EXPECT_EQ(before, 0.0);
@@ -35,7 +37,7 @@ TEST(RiskCalibration, keepsTheOrderOfPlansAndWhatIsCertain) {
 }
 
 TEST(RiskCalibration, learnsNothingFromWhatWasCertain) {
-  RiskCalibration calibration;
+  RiskCalibration calibration(Motion::kSpatial);
   const double before = calibration.corrected(0.4);
   calibration.learn(0.0, true);
   calibration.learn(1.0, false);
@@ -45,7 +47,7 @@ TEST(RiskCalibration, learnsNothingFromWhatWasCertain) {
 // Forecasts whose odds are off by one factor, in either direction.
 TEST(RiskCalibration, findsHowFarStatedRisksAreOff) {
   for (const double shift : {-1.5, 0.0, 2.0}) {
-    RiskCalibration calibration;
+    RiskCalibration calibration(Motion::kSpatial);
     std::mt19937 random(17);
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
     for (int i = 0; i < 2000; ++i) {
@@ -60,7 +62,7 @@ TEST(RiskCalibration, findsHowFarStatedRisksAreOff) {
 
 // The posterior by a fine integral over the shift.
 TEST(RiskCalibration, followsBayesRule) {
-  RiskCalibration calibration;
+  RiskCalibration calibration(Motion::kSpatial);
   calibration.learn(0.3, true);
   calibration.learn(0.6, false);
   double contact = 0.0;
@@ -77,7 +79,7 @@ TEST(RiskCalibration, followsBayesRule) {
 // Nothing overflows however long a run goes on one way.
 TEST(RiskCalibration, staysAProbabilityInLongRuns) {
   for (const bool touched : {true, false}) {
-    RiskCalibration calibration;
+    RiskCalibration calibration(Motion::kSpatial);
     for (int i = 0; i < 100000; ++i) calibration.learn(0.5, touched);
     EXPECT_GT(calibration.corrected(0.5), 0.0);
     EXPECT_LT(calibration.corrected(0.5), 1.0);

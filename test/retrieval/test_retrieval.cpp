@@ -66,7 +66,7 @@ TEST_F(RetrievalTest, endsAtTheGoal) {
   ASSERT_EQ(news_.size(), 3u);
   EXPECT_EQ(news_[0].phase, Phase::kPlanning);
   EXPECT_EQ(news_[1].phase, Phase::kMoving);
-  EXPECT_EQ(news_[1].risk, RiskCalibration().corrected(0.25));
+  EXPECT_EQ(news_[1].risk, RiskCalibration(Motion::kPlanar).corrected(0.25));
   EXPECT_EQ(news_[2].phase, Phase::kFinished);
 }
 
@@ -78,7 +78,7 @@ TEST_F(RetrievalTest, resetsToTheStartAfterEachContact) {
   ASSERT_EQ(outcome.motions.size(), 3u);
   EXPECT_TRUE(outcome.motions[1].touched);
   EXPECT_FALSE(outcome.motions[2].touched);
-  RiskCalibration calibration;
+  RiskCalibration calibration(parameters().motion);
   for (const PlannedMotion& motion : outcome.motions) {
     EXPECT_EQ(motion.risk, calibration.corrected(0.25));
     calibration.learn(0.25, motion.touched);

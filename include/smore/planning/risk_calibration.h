@@ -3,17 +3,19 @@
 
 #include <array>
 
+#include "smore/scenario/motion_space.h"
+
 namespace smore {
 
 /// Corrects the risks that a planner states by what came of its motions so far.
 ///
 /// Plans are chosen for their low risk, and worlds lack what nobody has touched: so stated risks
-/// are too low, by an amount that differs between scenes. The odds of a contact are taken to be
-/// those that were stated times a factor that is the same for all motions of a run, inferred from
-/// them: docs/planning.md (P2).
+/// may be too low, in space most of all, by an amount that differs between scenes. The odds of a
+/// contact are taken to be those that were stated times a factor that is the same for all motions
+/// of a run, inferred from them: docs/planning.md (P2).
 class RiskCalibration {
  public:
-  RiskCalibration();
+  explicit RiskCalibration(Motion motion);
 
   /// Probability of a contact for a motion whose plan states `risk`, both in [0, 1]. What is stated
   /// to be certain stays so.

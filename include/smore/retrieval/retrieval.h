@@ -19,6 +19,7 @@ struct RetrievalParameters {
   Pose goal = Pose::Identity();           ///< T_world_object
   double goal_position_tolerance = 0.02;  ///< [m]
   double goal_angle_tolerance = 0.1;      ///< [rad]
+  Motion motion = Motion::kPlanar;        ///< for RiskCalibration
   OnContact on_contact = OnContact::kReset;
   double retreat_distance = 0.05;  ///< how far to back off after a contact [m + rad], positive
   int max_collisions = 2000;       ///< gives up at so many, at least 1
@@ -101,7 +102,7 @@ class Retrieval {
   MotionObserver* motions_;
   RetrievalProgress progress_;
   RetrievalOutcome outcome_;
-  RiskCalibration calibration_;
+  RiskCalibration calibration_{parameters_.motion};
   double planned_risk_ = 0.0;  ///< of the present plan, as the planner stated it
   int refused_ = 0;            ///< paths in a row that the robot could not follow
   Pose last_contact_pose_ = Pose::Identity();
