@@ -30,6 +30,8 @@ if(NOT DEFINED Python3_EXECUTABLE)
   set(Python3_EXECUTABLE ${PYTHON_EXECUTABLE})
 endif()
 find_package(rosbag_storage REQUIRED)
+# For the two nodes alone whose parameters may change while they run.
+find_package(dynamic_reconfigure REQUIRED)
 
 # For the panel in rviz, which is left out where the headers of rviz are not installed.
 find_package(rviz QUIET)

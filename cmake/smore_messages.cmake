@@ -1,4 +1,4 @@
-# Messages, services and actions of this package.
+# Messages, services, actions and dynamic parameters of this package.
 
 add_message_files(DIRECTORY msg FILES ContactObservation.msg Evidence.msg EvidenceSource.msg LineOfAction.msg
   Prior.msg SensingEvent.msg SensingEvents.msg)
@@ -9,3 +9,4 @@ add_action_files(DIRECTORY action FILES Retrieve.action)
 generate_messages(
   DEPENDENCIES actionlib_msgs geometry_msgs nav_msgs octomap_msgs sensor_msgs std_msgs
   LANGS gencpp genpy)
+generate_dynamic_reconfigure_options(cfg/Guard.cfg cfg/Mapping.cfg)

@@ -91,6 +91,12 @@ bool MotionGuard::Ceiling::exceededBy(double value) {
 
 void MotionGuard::Ceiling::raiseTo(double value) { allowed_ = std::max(limit_, value + margin_); }
 
+// Above the limit there is a retreat, which goes on.
+void MotionGuard::Ceiling::limitTo(double limit) {
+  if (allowed_ <= limit_) allowed_ = limit;
+  limit_ = limit;
+}
+
 void MotionGuard::Heartbeat::beat(double new_measured, double new_stamp) {
   if (stamp == new_stamp) return;
   stamp = new_stamp;
@@ -101,8 +107,14 @@ MotionGuard::MotionGuard(const MotionGuardParameters& parameters,
                          std::vector<std::string> joint_names)
     : parameters_(parameters),
       joint_names_(std::move(joint_names)),
-      force_(parameters.max_force, parameters.force_margin),
-      torque_(parameters.max_torque, parameters.torque_margin) {}
+      force_(parameters.limits.max_force, parameters.force_margin),
+      torque_(parameters.limits.max_torque, parameters.torque_margin) {}
+
+void MotionGuard::limitTo(const MotionLimits& limits) {
+  parameters_.limits = limits;
+  force_.limitTo(limits.max_force);
+  torque_.limitTo(limits.max_torque);
+}
 
 void MotionGuard::onWrench(double measured, double stamp, const Wrench& wrench) {
   wrench_beat_.beat(measured, stamp);
@@ -128,8 +140,9 @@ void MotionGuard::onJoints(double measured, const JointReading& reading) {
   state_ = {reading.stamp, *positions, *velocities};
   for (size_t i = 0; i < joint_names_.size(); ++i) {
     const double speed = std::abs((*velocities)[i]);
-    if (speed > parameters_.max_joint_speed) {
-      stop(above("the speed of " + joint_names_[i], speed, parameters_.max_joint_speed, "rad/s"));
+    if (speed > parameters_.limits.max_joint_speed) {
+      stop(above("the speed of " + joint_names_[i], speed, parameters_.limits.max_joint_speed,
+                 "rad/s"));
     }
   }
 }
@@ -246,9 +259,9 @@ std::string MotionGuard::problemOfPoints(const JointTrajectory& ordered) const {
                      parameters_.start_tolerance, "rad");
       }
       const double speed = is_start ? 0.0 : greatestSpeed(last, point, i);
-      if (speed > parameters_.max_joint_speed) {
+      if (speed > parameters_.limits.max_joint_speed) {
         return above("the commanded speed of " + joint_names_[i], speed,
-                     parameters_.max_joint_speed, "rad/s");
+                     parameters_.limits.max_joint_speed, "rad/s");
       }
     }
     last = point;

@@ -17,8 +17,8 @@ std::shared_ptr<const Worlds> worldsOf(const TwinMap& maps) {
 }
 
 BeliefDisplay::BeliefDisplay(const ros::NodeHandle& node, const FrameNames& frames,
-                             double line_half_length, double voxel_size)
-    : frames_(frames), line_half_length_(line_half_length), voxel_size_(voxel_size), node_(node) {
+                             double voxel_size)
+    : frames_(frames), voxel_size_(voxel_size), node_(node) {
   lines_.open<visualization_msgs::MarkerArray>(&node_, names::kContactLines);
   places_.open<visualization_msgs::MarkerArray>(&node_, names::kContactPlaces);
   world_.open<visualization_msgs::MarkerArray>(&node_, names::kSampledWorld);
@@ -36,9 +36,9 @@ void BeliefDisplay::publish(const Worlds& worlds, std::uint64_t revision) {
   world_.send(revision, [&] { return sampledWorldMarkers(worlds, shown_, frames_); });
 }
 
-void BeliefDisplay::publish(const std::vector<LineOfAction>& lines) {
-  lines_.send(lines.size(),
-              [&] { return lineMarkers(lines, line_half_length_, voxel_size_, frames_); });
+void BeliefDisplay::publish(const std::vector<LineOfAction>& lines, double half_length) {
+  if (std::exchange(half_length_, half_length) != half_length) lines_.renew();
+  lines_.send(lines.size(), [&] { return lineMarkers(lines, half_length, voxel_size_, frames_); });
 }
 
 void BeliefDisplay::onWish(const std_msgs::Int32& message) {

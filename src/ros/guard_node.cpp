@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "guard_limits.h"
 #include "guard_parameters.h"
 #include "smore/contact/contact_reflex.h"
 #include "smore/contact/motion_guard.h"
@@ -53,7 +54,7 @@ class GuardNode {
         stream_(parameters.horizon),
         deceleration_(parameters.horizon.deceleration),
         joint_names_(std::move(joint_names)),
-        parameters_(parameters.guard),
+        limits_(parameters.guard.limits),
         period_(parameters.guard.max_lateness / kChecksPerLateness) {
     node_.setCallbackQueue(&queue_);
     private_node_.setCallbackQueue(&queue_);
@@ -72,6 +73,7 @@ class GuardNode {
 
   void run() {
     while (!shutdown_.pending()) {
+      guard_.limitTo(limits_.now());
       // What has come by now is handed over first: silence is not that this node was held up.
       heard_ = now();
       queue_.callAvailable(period_);
@@ -218,8 +220,9 @@ class GuardNode {
   }
 
   GuardReport report() const {
-    return {guard_.fault(), guard_.lateness(heard_), stream_.active(), parameters_.max_force,
-            parameters_.max_torque};
+    const MotionLimits& limits = guard_.limits();
+    return {guard_.fault(), guard_.lateness(heard_), stream_.active(), limits.max_force,
+            limits.max_torque};
   }
 
   /// Stops the robot at a new fault, and tells of what has changed.
@@ -245,7 +248,7 @@ class GuardNode {
   MotionStream stream_;
   double deceleration_;  ///< of a brake [rad/s^2]
   std::vector<std::string> joint_names_;
-  MotionGuardParameters parameters_;
+  GuardLimits limits_;
   ros::WallDuration period_;  ///< between two checks for silence
   double heard_ = now();      ///< what had come by then is known [s]
   bool waits_ = false;        ///< whether the motion waits, since what is known is late

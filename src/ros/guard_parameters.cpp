@@ -11,13 +11,17 @@ GuardParameters readGuardParameters(ParameterReader* reader) {
   constexpr double kMost = 1000.0;
   GuardParameters all;
   MotionGuardParameters& parameters = all.guard;
+  MotionLimits& limits = parameters.limits;
   all.sets_force = reader->has("max_force");
   all.sets_torque = reader->has("max_torque");
-  if (all.sets_force) reader->number("max_force", &parameters.max_force, {1.0, kMost});
-  if (all.sets_torque) reader->number("max_torque", &parameters.max_torque, {0.1, kMost});
+  if (all.sets_force)
+    reader->number("max_force", &limits.max_force, {kLeastLimits.max_force, kMost});
+  if (all.sets_torque) {
+    reader->number("max_torque", &limits.max_torque, {kLeastLimits.max_torque, kMost});
+  }
   reader->number("max_lateness", &parameters.max_lateness, {0.005, 10.0});
   reader->number("max_silence", &parameters.max_silence, {0.005, 10.0});
-  reader->number("max_joint_speed", &parameters.max_joint_speed, {0.01, 10.0});
+  reader->number("max_joint_speed", &limits.max_joint_speed, {kLeastLimits.max_joint_speed, 10.0});
   reader->number("start_tolerance", &parameters.start_tolerance, {0.001, 1.0});
   reader->number("force_margin", &parameters.force_margin, {0.0, kMost});
   reader->number("torque_margin", &parameters.torque_margin, {0.0, kMost});
@@ -35,9 +39,10 @@ void fitToSensor(const Scenario& scenario, GuardParameters* parameters) {
   const WrenchNoise& noise = scenario.wrench_noise;
   guard.wrench_varies = noise.force_stddev > 0.0 || noise.torque_stddev > 0.0;
   const WrenchRange range = wristSensorRange(scenario.robot);
-  if (!parameters->sets_force) guard.max_force = std::min(guard.max_force, kShare * range.force);
+  MotionLimits& limits = guard.limits;
+  if (!parameters->sets_force) limits.max_force = std::min(limits.max_force, kShare * range.force);
   if (!parameters->sets_torque) {
-    guard.max_torque = std::min(guard.max_torque, kShare * range.torque);
+    limits.max_torque = std::min(limits.max_torque, kShare * range.torque);
   }
 }
 

@@ -8,6 +8,9 @@
 
 namespace smore {
 
+/// Below these no robot could work [N], [N m], [rad/s].
+constexpr MotionLimits kLeastLimits{1.0, 0.1, 0.01};
+
 /// How the guard node works; config/guard.yaml explains each.
 struct GuardParameters {
   MotionGuardParameters guard;

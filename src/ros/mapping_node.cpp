@@ -5,6 +5,7 @@
 #include <std_srvs/Trigger.h>
 
 #include "cloud_frames.h"
+#include "display_settings.h"
 #include "keeper_start.h"
 #include "mapping_parameters.h"
 #include "smore/mapping/prior_maps.h"
@@ -16,7 +17,6 @@
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/prior_request.h"
-#include "smore/ros/shown_probability.h"
 #include "smore/ros/throttle.h"
 
 namespace smore {
@@ -40,9 +40,8 @@ class MappingNode {
         files_(belowRosHome(parameters.beliefs), source),
         keeper_(startKeeper(parameters, source, files_)),
         service_node_(makeServiceNode()),
-        shown_(service_node_, parameters.display_min_probability),
-        belief_(service_node_, parameters.frames, parameters.line_half_length,
-                source.task.voxel_size),
+        display_(parameters),
+        belief_(service_node_, parameters.frames, source.task.voxel_size),
         world_(service_node_, names::kWorldMap, parameters.frames.world, worldColors(),
                parameters.display_min_probability),
         object_(service_node_, names::kObjectMap, parameters.frames.object, objectColors(),
@@ -228,7 +227,7 @@ class MappingNode {
       ROS_ERROR_STREAM(*problem);
       report_.problem = *problem;
     }
-    for (MapPublisher* map : {&world_, &object_}) map->showFrom(shown_.value());
+    for (MapPublisher* map : {&world_, &object_}) map->showFrom(display_.minProbability());
     std::optional<smore_msgs::EvidenceSource> source;
     std::optional<VoxelGrid> world, object;
     std::shared_ptr<const Worlds> worlds;
@@ -250,7 +249,7 @@ class MappingNode {
     if (object) object_.publish(*object, revision, stamp);
     if (source) source_told_.publish(*source);
     if (worlds) belief_.publish(*worlds, revision);
-    belief_.publish(lines);
+    belief_.publish(lines, display_.lineHalfLength());
     report_.lines = lines.size();
     report_.revision = revision;
     publishStatus();
@@ -258,7 +257,7 @@ class MappingNode {
 
   void publishStatus() {
     note(keeper_->arrivals(), &report_);
-    report_.shown_from = shown_.value();
+    report_.shown_from = display_.minProbability();
     report_.world_voxels = world_.voxels();
     report_.object_voxels = object_.voxels();
     statuses_.publishIfDue();
@@ -272,7 +271,7 @@ class MappingNode {
   ros::CallbackQueue service_queue_;
   ros::NodeHandle node_;
   ros::NodeHandle service_node_;
-  ShownProbability shown_;
+  DisplaySettings display_;
   BeliefDisplay belief_;
   MapPublisher world_, object_;
   ros::Publisher source_told_;

@@ -29,8 +29,9 @@ MappingParameters readMappingParameters(ParameterReader* reader) {
   parameters.method_parameters = readMethodChanges(reader, parameters.method);
   reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
   reader->number("publish_period", &parameters.publish_period, {0.01, 60.0});
-  reader->number("display_min_probability", &parameters.display_min_probability, {1e-6, 1.0});
-  reader->number("line_half_length", &parameters.line_half_length, {0.01, 100.0});
+  reader->number("display_min_probability", &parameters.display_min_probability,
+                 kDisplayProbabilities);
+  reader->number("line_half_length", &parameters.line_half_length, kLineHalfLengths);
   if (reader->has("journal")) reader->text("journal", &parameters.journal);
   parameters.launch = nameOfNow();
   if (reader->has("launch")) reader->text("launch", &parameters.launch);

@@ -10,6 +10,9 @@
 
 namespace smore {
 
+constexpr Range kDisplayProbabilities{1e-6, 1.0};
+constexpr Range kLineHalfLengths{0.01, 100.0};  // [m]
+
 /// Parameters of the mapping node; config/mapping.yaml explains each.
 struct MappingParameters {
   FrameNames frames;

@@ -54,6 +54,40 @@ TEST_F(MotionGuardTest, OnceTheForceHasFallenTheCeilingIsBack) {
   EXPECT_NE(guard_.fault(), "");
 }
 
+TEST_F(MotionGuardTest, ALoweredCeilingHoldsFromTheNextSampleOn) {
+  wrench_ = push(15.0);
+  run(kPeriod);
+  guard_.limitTo({20.0, 8.0, 2.0});
+  wrench_ = push(19.9);
+  run(0.1);
+  EXPECT_EQ(guard_.fault(), "");
+  wrench_ = push(20.1);
+  run(kPeriod);
+  EXPECT_EQ(guard_.fault(), "the force is 20.1 N, above the limit of 20 N");
+}
+
+TEST_F(MotionGuardTest, ACeilingThatIsLoweredInARetreatLetsItGoOn) {
+  wrench_ = push(60.0);
+  run(kPeriod);
+  guard_.clear(now_);
+  guard_.limitTo({20.0, 8.0, 2.0});
+  run(0.1);
+  EXPECT_EQ(guard_.fault(), "") << "as high as at the clearing";
+  wrench_ = push(5.0);
+  run(kPeriod);
+  wrench_ = push(21.0);
+  run(kPeriod);
+  EXPECT_EQ(guard_.fault(), "the force is 21 N, above the limit of 20 N");
+}
+
+TEST_F(MotionGuardTest, ALoweredSpeedHoldsForJointsAndCommands) {
+  guard_.limitTo({40.0, 8.0, 0.5});
+  expectRefused(motion(0.5, 1.0), "the commanded speed of shoulder");
+  velocities_ = {0.6, 0.0};
+  run(kPeriod);
+  EXPECT_EQ(guard_.fault(), "the speed of shoulder is 0.6 rad/s, above the limit of 0.5 rad/s");
+}
+
 TEST_F(MotionGuardTest, SilenceOfEitherStreamLatchesAfterItsTime) {
   run(0.2, false, true);
   EXPECT_EQ(guard_.fault(), "");

@@ -24,7 +24,7 @@ def code_files(folders=CODE_FOLDERS):
 
 
 def python_files():
-    return files(("python", "test", "cmake", "scripts"), "*.py")
+    return files(("python", "test", "cmake", "scripts", "cfg"), "*.py", "*.cfg")
 
 
 def shell_scripts():

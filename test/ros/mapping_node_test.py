@@ -10,6 +10,7 @@ import unittest
 
 import rospy
 import rostest
+from dynamic_reconfigure.client import Client
 from octomap_msgs.msg import Octomap, OctomapWithPose
 from octomap_msgs.srv import GetOctomap
 from sensor_msgs.msg import PointCloud2
@@ -17,12 +18,22 @@ from std_msgs.msg import Float64
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import MarkerArray
 
-from node_testing import Recorder, start_node
+from node_testing import DEADLINE, Recorder, start_node, wait_until
 from observations import ObservationSource
 from smore.msg import ContactObservation
 from smore.srv import SaveMaps, TwinMaps, TwinMapsRequest
 
 SERVICES = ["twin_maps", "reset", "save_maps", "world/octomap_full", "object/octomap_binary"]
+
+
+def shows_voxels(array):
+    return any(marker.points for marker in array.markers)
+
+
+def length_of(array):
+    """Of the first line of action among markers [m]; 0 where there is none."""
+    ends = array.markers[0].points[:2] if array.markers else []
+    return math.dist(*((end.x, end.y, end.z) for end in ends)) if len(ends) == 2 else 0.0
 
 
 class MappingNode(unittest.TestCase):
@@ -133,14 +144,39 @@ class MappingNode(unittest.TestCase):
             cells.clear()
             wish.publish(probability)
             many = probability < 0.5
-
-            def fits(array, many=many):
-                return (sum(len(marker.points) for marker in array.markers) > 0) == many
-
-            counts.append(cells.wait_for(fits))
+            counts.append(cells.wait_for(lambda array, many=many: shows_voxels(array) == many))
         wish.publish(7.0)  # no probability: it stays as it is
         wish.publish(0.3)
         self.assertNotIn(None, counts)
+
+    def test_what_is_shown_changes_while_it_runs(self):
+        self.maps_at(self.source.touch())
+        display = Client("mapping", timeout=DEADLINE)
+        self.addCleanup(display.close)
+        self.addCleanup(display.update_configuration, {"display_min_probability": 0.3, "line_half_length": 1.0})
+        cells = Recorder("object/occupied_cells_vis_array", MarkerArray)
+        lines = Recorder("contact_lines", MarkerArray)
+        for recorder in (cells, lines):
+            self.addCleanup(recorder.close)
+        for probability, many in ((0.001, True), (1.0, False)):
+            display.update_configuration({"display_min_probability": probability})
+            self.assertTrue(cells.wait_for(lambda array, many=many: shows_voxels(array) == many))
+            cells.clear()
+        for half_length in (0.2, 0.7):
+            display.update_configuration({"line_half_length": half_length})
+            self.assertTrue(lines.wait_for(lambda array, h=half_length: abs(length_of(array) - 2 * h) < 1e-6))
+        in_force = display.update_configuration({"display_min_probability": 7.0, "line_half_length": 0.5})
+        self.assertEqual((in_force.display_min_probability, in_force.line_half_length), (1.0, 0.5))
+
+    def test_a_probability_that_is_wished_on_the_topic_is_told_to_all(self):
+        display = Client("mapping", timeout=DEADLINE)
+        self.addCleanup(display.close)
+        wish = rospy.Publisher("shown_probability", Float64, queue_size=1, latch=True)
+        self.addCleanup(wish.unregister)
+        for probability in (0.6, 0.3):
+            wish.publish(probability)
+            told = lambda p=probability: display.get_configuration(DEADLINE).display_min_probability == p
+            self.assertTrue(wait_until(told))
 
     def test_reset_empties_the_maps(self):
         self.assertGreater(len(self.maps_at(self.source.touch()).world.data), 0)

@@ -6,11 +6,11 @@
 namespace smore {
 namespace {
 
-MotionGuardParameters fitted(RobotKind robot, GuardParameters parameters = {}) {
+MotionLimits fitted(RobotKind robot, GuardParameters parameters = {}) {
   Scenario scenario;
   scenario.robot = robot;
   fitToSensor(scenario, &parameters);
-  return parameters.guard;
+  return parameters.guard.limits;
 }
 
 TEST(GuardParameters, keepsCeilingsWithinEightTenthsOfTheSensorsRange) {
@@ -20,13 +20,13 @@ TEST(GuardParameters, keepsCeilingsWithinEightTenthsOfTheSensorsRange) {
 }
 
 TEST(GuardParameters, allowsNoMoreBecauseASensorCouldMeasureIt) {
-  EXPECT_DOUBLE_EQ(fitted(RobotKind::kUr16e).max_force, MotionGuardParameters().max_force);
-  EXPECT_DOUBLE_EQ(fitted(RobotKind::kUrdf).max_torque, MotionGuardParameters().max_torque);
+  EXPECT_DOUBLE_EQ(fitted(RobotKind::kUr16e).max_force, MotionLimits().max_force);
+  EXPECT_DOUBLE_EQ(fitted(RobotKind::kUrdf).max_torque, MotionLimits().max_torque);
 }
 
 TEST(GuardParameters, takesCeilingsThatWereGivenAsTheyAre) {
   GuardParameters given;
-  given.guard.max_force = 28.0;
+  given.guard.limits.max_force = 28.0;
   given.sets_force = true;
   EXPECT_DOUBLE_EQ(fitted(RobotKind::kUr3e, given).max_force, 28.0);
   EXPECT_DOUBLE_EQ(fitted(RobotKind::kUr3e, given).max_torque, 8.0);

@@ -10,14 +10,19 @@
 
 namespace smore {
 
+/// What nothing may be above; may be changed while a robot is guarded.
+struct MotionLimits {
+  double max_force = 40.0;       ///< of a raw sample, weight and bias included [N]
+  double max_torque = 8.0;       ///< the same, about the sensor's origin [N m]
+  double max_joint_speed = 2.0;  ///< measured and commanded, of each joint [rad/s] or [m/s]
+};
+
 struct MotionGuardParameters {
-  double max_force = 40.0;  ///< of a raw sample, weight and bias included [N]
-  double max_torque = 8.0;  ///< the same, about the sensor's origin [N m]
+  MotionLimits limits;
   /// Age of the newest of a stream, or of the sign of life of who commanded a motion, at which the
   /// motion waits, and at which it is a fault [s].
   double max_lateness = 0.05;
   double max_silence = 0.2;
-  double max_joint_speed = 2.0;  ///< measured and commanded, of each joint [rad/s] or [m/s]
   double start_tolerance = 0.1;  ///< of each joint, to where a motion starts [rad] or [m]
   /// Of each joint, to where it should be in a motion [rad] or [m]; a joint that moves may be late
   /// by a tenth of a second on top of it.
@@ -55,6 +60,12 @@ class MotionGuard {
  public:
   /// `joint_names`: the joints that count; others (a gripper's) on the same stream do not.
   MotionGuard(const MotionGuardParameters& parameters, std::vector<std::string> joint_names);
+
+  /// Other limits from the next sample, joint state or command on. While the robot retreats under
+  /// load, a lower ceiling of force or torque takes hold as they fall, as after the clearing.
+  void limitTo(const MotionLimits& limits);
+
+  const MotionLimits& limits() const { return parameters_.limits; }
 
   void onWrench(double measured, double stamp, const Wrench& wrench);
 
@@ -117,6 +128,7 @@ class MotionGuard {
     Ceiling(double limit, double margin) : limit_(limit), margin_(margin), allowed_(limit) {}
     bool exceededBy(double value);
     void raiseTo(double value);
+    void limitTo(double limit);
     double allowed() const { return allowed_; }
 
    private:

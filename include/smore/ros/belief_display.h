@@ -25,10 +25,8 @@ std::shared_ptr<const Worlds> worldsOf(const TwinMap& maps);
 /// sampled worlds which somebody asks for on `shown_world`.
 class BeliefDisplay {
  public:
-  /// Lines are shown `line_half_length` [m] to either side, beside voxels of `voxel_size` [m]. The
-  /// queue of `node` is called by who serves it.
-  BeliefDisplay(const ros::NodeHandle& node, const FrameNames& frames, double line_half_length,
-                double voxel_size);
+  /// Beside voxels of `voxel_size` [m]. The queue of `node` is called by who serves it.
+  BeliefDisplay(const ros::NodeHandle& node, const FrameNames& frames, double voxel_size);
 
   /// Whether somebody looks at worlds or places of which not this revision was sent.
   bool isDue(std::uint64_t revision);
@@ -36,14 +34,16 @@ class BeliefDisplay {
   /// Sends what is due of the worlds of this revision.
   void publish(const Worlds& worlds, std::uint64_t revision);
 
-  /// Sends the lines, given in the object frame, where there are more or fewer than before.
-  void publish(const std::vector<LineOfAction>& lines);
+  /// Sends the lines, given in the object frame, `half_length` [m] to either side, where there are
+  /// more or fewer than before or they are longer or shorter.
+  void publish(const std::vector<LineOfAction>& lines, double half_length);
 
  private:
   void onWish(const std_msgs::Int32& message);
 
   FrameNames frames_;
-  double line_half_length_, voxel_size_;
+  double voxel_size_;
+  double half_length_ = 0.0;  ///< of the lines that were sent last [m]
   ros::NodeHandle node_;
   std::atomic<int> wished_{0};  ///< rank of the world to be shown; 0: none
   int shown_ = 0;               ///< that was shown last
