@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
-#include <visualization_msgs/MarkerArray.h>
 
 #include <limits>
 #include <memory>
 
 #include "smore/ros/evidence_messages.h"
-#include "smore/ros/ghost_markers.h"
 #include "smore/ros/goal_marker.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
+#include "smore/ros/plan_display.h"
 #include "smore/ros/planner_status.h"
-#include "smore/ros/scene_markers.h"
 
 namespace smore {
 namespace {
@@ -49,17 +47,11 @@ class PlannerNode {
  public:
   PlannerNode(const PlannerNodeParameters& parameters, const Scenario& scenario)
       : parameters_(parameters),
-        voxel_size_(scenario.voxel_size),
         replica_(parameters.method, scenario, parameters.seed, parameters.method_parameters),
-        knowledge_(replica_.knowledge()) {
+        knowledge_(replica_.knowledge()),
+        display_(node_, scenario.voxel_size, parameters.frames.world) {
     maps_ = node_.serviceClient<smore_msgs::TwinMaps>(names::kTwinMaps);
     path_ = node_.advertise<nav_msgs::Path>(names::kPath, names::kLatestQueue, true);
-    markers_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPathMarkers,
-                                                                names::kLatestQueue, true);
-    ghost_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPathGhost,
-                                                              names::kLatestQueue, true);
-    tree_ = node_.advertise<visualization_msgs::MarkerArray>(names::kPlanTree, names::kLatestQueue,
-                                                             true);
     plan_ = node_.advertiseService(names::kPlanPath, &PlannerNode::onPlan, this);
     touch_ = node_.advertiseService(names::kPlanTouch, &PlannerNode::onTouch, this);
     check_ = node_.advertiseService(names::kCheckPose, &PlannerNode::onCheck, this);
@@ -142,7 +134,9 @@ class PlannerNode {
     response->risk = plan->risk;
     response->revision = revision_;
     status_.find(pathLength(plan->path), plan->risk);
-    show(*plan, response->path);
+    path_.publish(response->path);
+    const Path dense = densify(plan->path, kColorDistance, kColorAngle);
+    display_.show({dense, replica_.risksAlong(dense), knowledge_.object, plan->tree});
     return "";
   }
 
@@ -170,18 +164,6 @@ class PlannerNode {
     const std::string problem = synchronise(request.not_before);
     if (!problem.empty()) return Failure{problem};
     return replica_.nextTouch(*start);
-  }
-
-  void show(const Plan& plan, const nav_msgs::Path& message) {
-    path_.publish(message);
-    if (tree_.getNumSubscribers() > 0) {
-      tree_.publish(treeMarkers(plan.tree, voxel_size_, parameters_.frames.world));
-    }
-    const Path dense = densify(plan.path, kColorDistance, kColorAngle);
-    const std::vector<double> risks = replica_.risksAlong(dense);
-    markers_.publish(pathMarkers(dense, risks, voxel_size_, parameters_.frames.world));
-    if (ghost_.getNumSubscribers() == 0) return;
-    ghost_.publish(ghostMarkers(dense, risks, knowledge_.object, parameters_.frames.world));
   }
 
   bool onCheck(smore_msgs::CheckPose::Request& request, smore_msgs::CheckPose::Response& response) {
@@ -212,14 +194,14 @@ class PlannerNode {
   }
 
   PlannerNodeParameters parameters_;
-  double voxel_size_;  ///< of the maps [m]
   MethodReplica replica_;
   PoseKnowledge knowledge_;  ///< of the replica, as it was when it was last brought up to date
   std::uint64_t revision_ = 0;
   ros::Time stamp_;
   ros::NodeHandle node_;
   ros::ServiceClient maps_;
-  ros::Publisher path_, markers_, ghost_, tree_;
+  ros::Publisher path_;
+  PlanDisplay display_;
   ros::ServiceServer plan_, touch_, check_;
   ros::Subscriber source_;
   std::unique_ptr<GoalMarker> marker_;  ///< null where the task has no goal

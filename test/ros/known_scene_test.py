@@ -8,6 +8,7 @@ import rospy
 import rostest
 from octomap_msgs.msg import Octomap
 from std_srvs.srv import Trigger
+from visualization_msgs.msg import MarkerArray
 
 from node_testing import Recorder, pose, stamped, start_node
 from smore.srv import CheckPose, PlanPath, PlanPathRequest
@@ -35,13 +36,23 @@ class KnownScene(unittest.TestCase):
         for name in ("world/octomap_full", "object/octomap_full"):
             self.assertIsNotNone(Recorder(name, Octomap).wait_for(lambda map_: len(map_.data) > 0))
 
-    def test_3_the_way_leads_past_it(self):
-        request = PlanPathRequest(start=stamped(pose()), goal=stamped(pose(-0.3)))
-        answer = self.plan_path(request)
+    def plan_to(self, x):
+        answer = self.plan_path(PlanPathRequest(start=stamped(pose()), goal=stamped(pose(x))))
         self.assertTrue(answer.success, answer.message)
-        self.assertGreater(len(answer.path.poses), 2, "the straight way is barred")
+        return answer
 
-    def test_4_a_reset_forgets_what_was_observed_alone(self):
+    def test_3_the_way_leads_past_it(self):
+        self.assertGreater(len(self.plan_to(-0.3).path.poses), 2, "the straight way is barred")
+
+    def test_4_who_looks_only_now_sees_the_object_on_the_last_way(self):
+        for goal in (-0.3, 0.1):  # nobody has looked yet; nobody looks any more
+            self.plan_to(goal)
+            ghost = Recorder("path_ghost", MarkerArray)
+            at_goal = lambda array, x=goal: abs(array.markers[-1].pose.position.x - x) < 0.05
+            self.assertIsNotNone(ghost.wait_for(at_goal), goal)
+            ghost.close()
+
+    def test_5_a_reset_forgets_what_was_observed_alone(self):
         self.assertTrue(rospy.ServiceProxy("reset", Trigger)().success)
         self.assertGreater(self.risk_at(-0.15, 0.0), 0.9)
 

@@ -13,9 +13,13 @@ namespace smore {
 /// finds the last one latched.
 class RevisedTopic {
  public:
+  /// `on_listener`, if given, is called on the queue of `node` with each new listener: then what is
+  /// due need not wait for the next look.
   template <typename Message>
-  void open(ros::NodeHandle* node, const char* name) {
-    publisher_ = node->advertise<Message>(name, names::kLatestQueue, true);
+  void open(ros::NodeHandle* node, const char* name,
+            const ros::SubscriberStatusCallback& on_listener = {}) {
+    constexpr bool kLatched = true;
+    publisher_ = node->advertise<Message>(name, names::kLatestQueue, on_listener, {}, {}, kLatched);
   }
 
   /// Whether somebody listens who has not got this revision.
