@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""roslaunch resolves every launch file, every node of this package that they name is a program, and a
-scenario's name stays the text that was typed.
+"""roslaunch resolves every launch file, every node of this package that they name is a program, a
+scenario's name stays the text that was typed, and rviz gets it.
 
     check_launch.py PROGRAM_FOLDER      (in the environment of the build)
 """
@@ -29,6 +29,18 @@ def unresolved(path):
             yield say(path, 1, f"the parameter {name} is {value}, not the text '{SCENARIO}'")
 
 
+def without_view(path):
+    """Where there is rviz its view fits the scenario."""
+    declared = {argument.get("name") for argument in xml.etree.ElementTree.parse(path).getroot().findall("arg")}
+    if not {"rviz", "scenario"} <= declared:
+        return
+    command = ["roslaunch", "--args", "/smore/rviz", str(path), f"scenario:={SCENARIO}", "rviz:=true"]
+    required = ["bag:=/run.bag"] if "bag" in declared else []
+    result = subprocess.run(command + required, capture_output=True, text=True)
+    if f"--scenario {SCENARIO}" not in result.stdout.replace("'", ""):
+        yield say(path, 1, f"rviz does not get scenario:={SCENARIO}: {result.stdout}{result.stderr}".strip())
+
+
 def missing_programs(path, programs):
     for node in xml.etree.ElementTree.parse(path).getroot().iter("node"):
         if node.get("pkg") == "smore" and not any((f / node.get("type")).is_file() for f in (programs, ROOT / "python")):
@@ -39,6 +51,7 @@ def main():
     programs = pathlib.Path(sys.argv[1])
     paths = files(("launch",), "*.launch")
     findings = [text for path in paths for text in unresolved(path)]
+    findings += [text for path in paths for text in without_view(path)]
     findings += [text for path in paths for text in missing_programs(path, programs)]
     report(findings, len(paths))
 
