@@ -232,7 +232,7 @@ class RobotTwin {
       last_.wrench.header.frame_id = driver_->sensorFrame();
     }
     last_.poses.transforms.clear();
-    if (!cut_off_) last_.poses.transforms = driver_->poseTransforms(*robot_, stamp);
+    if (!cut_off_) last_.poses.transforms = driver_->transformsAt(*robot_, stamp);
     last_.joints.header.stamp = last_.wrench.header.stamp = stamp;
     return last_;
   }

@@ -10,6 +10,9 @@
 namespace smore {
 namespace {
 
+constexpr double kLinkPeriod = 0.04;  // [s] between the frames of the links
+constexpr double kHalfSample = 0.001;
+
 /// The Cartesian robot has no links: its hand is the object frame.
 class CartesianDriver : public SimulatedDriver {
  public:
@@ -18,6 +21,9 @@ class CartesianDriver : public SimulatedDriver {
   std::string sensorFrame() const override { return frames_.object; }
   Transforms fixedTransforms() const override { return {}; }
   Transforms controllerTransforms() const override { return {}; }
+  visualization_msgs::MarkerArray linkMarkers() const override { return {}; }
+
+ private:
   Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const override {
     return {stampedTransform(frames_.world, frames_.object, robot.pose(), stamp)};
   }
@@ -25,9 +31,7 @@ class CartesianDriver : public SimulatedDriver {
                             const ros::Time& /*stamp*/) const override {
     return {};
   }
-  visualization_msgs::MarkerArray linkMarkers() const override { return {}; }
 
- private:
   FrameNames frames_;
 };
 
@@ -64,6 +68,12 @@ class ArmDriver : public SimulatedDriver {
     return {stampedTransform(names().base, controller_, T_base_base_link_.inverse(), ros::Time())};
   }
 
+  visualization_msgs::MarkerArray linkMarkers() const override { return robotMarkers(*urdf_); }
+
+ private:
+  /// The frame that a controller of Universal Robots calls its base.
+  static constexpr char kUrController[] = "base";
+
   Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const override {
     const Pose T_base_link_tool =
         arm_.model().toolPose(toJointVector(robot.jointPositions())) * T_flange_tcp_;
@@ -82,12 +92,6 @@ class ArmDriver : public SimulatedDriver {
     }
     return transforms;
   }
-
-  visualization_msgs::MarkerArray linkMarkers() const override { return robotMarkers(*urdf_); }
-
- private:
-  /// The frame that a controller of Universal Robots calls its base.
-  static constexpr char kUrController[] = "base";
 
   /// Positions of all joints of the description, the gripper's too.
   std::vector<double> treePositions(const SimulatedRobot& robot) const {
@@ -115,6 +119,16 @@ class ArmDriver : public SimulatedDriver {
 };
 
 }  // namespace
+
+SimulatedDriver::Transforms SimulatedDriver::transformsAt(const SimulatedRobot& robot,
+                                                          const ros::Time& stamp) {
+  Transforms transforms = poseTransforms(robot, stamp);
+  if ((stamp - last_links_).toSec() < kLinkPeriod - kHalfSample) return transforms;
+  last_links_ = stamp;
+  const Transforms links = linkTransforms(robot, stamp);
+  transforms.insert(transforms.end(), links.begin(), links.end());
+  return transforms;
+}
 
 std::unique_ptr<SimulatedDriver> makeSimulatedDriver(const Scenario& scenario,
                                                      const FrameNames& frames) {

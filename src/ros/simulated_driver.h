@@ -30,14 +30,18 @@ class SimulatedDriver {
   /// Those of them that a real controller gives: where its base is in the robot's description.
   virtual Transforms controllerTransforms() const = 0;
 
-  /// What must be known at each sample: it gives the object's pose.
-  virtual Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const = 0;
-
-  /// Frames of the robot's links, for display.
-  virtual Transforms linkTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const = 0;
+  /// What goes with a sample: what gives the object's pose at each, and 25 times a second the
+  /// frames of the robot's links, for display.
+  Transforms transformsAt(const SimulatedRobot& robot, const ros::Time& stamp);
 
   /// The robot's links, in their frames.
   virtual visualization_msgs::MarkerArray linkMarkers() const = 0;
+
+ private:
+  virtual Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const = 0;
+  virtual Transforms linkTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const = 0;
+
+  ros::Time last_links_;
 };
 
 std::unique_ptr<SimulatedDriver> makeSimulatedDriver(const Scenario& scenario,

@@ -212,12 +212,7 @@ class SimulatorNode {
 
   void publishTransforms(const ros::Time& stamp) {
     tf2_msgs::TFMessage message;
-    message.transforms = driver_->poseTransforms(*robot_, stamp);
-    if ((stamp - last_links_).toSec() >= kLinkPeriod - kHalfSample) {
-      last_links_ = stamp;
-      const auto links = driver_->linkTransforms(*robot_, stamp);
-      message.transforms.insert(message.transforms.end(), links.begin(), links.end());
-    }
+    message.transforms = driver_->transformsAt(*robot_, stamp);
     tf_.publish(message);
   }
 
@@ -251,7 +246,6 @@ class SimulatorNode {
   }
 
   static constexpr double kWarningPeriod = 5.0;  // [s]
-  static constexpr double kLinkPeriod = 0.04;    // [s] between the frames of the links, for display
   static constexpr double kStartUp = 5.0;  // [s]; nodes that start together find one another in it
   static constexpr double kCatchUp = 0.1;  // [s]; what is lost beyond is not made good
 
@@ -273,7 +267,6 @@ class SimulatorNode {
   Throttle warning_{kWarningPeriod};
   ros::WallTime next_step_;
   ros::Time last_clock_;
-  ros::Time last_links_;
   bool faulty_ = false;
 };
 

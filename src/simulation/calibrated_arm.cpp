@@ -19,18 +19,57 @@ urdf::Rotation turned(const urdf::Rotation& rotation, const Vec3& angles) {
   return {result.x(), result.y(), result.z(), result.w()};
 }
 
-void writeJoint(const urdf::Joint& joint, std::ostream* text) {
-  const urdf::Pose& origin = joint.parent_to_joint_origin_transform;
+void writeOrigin(const urdf::Pose& origin, std::ostream* text) {
   double roll = 0.0, pitch = 0.0, yaw = 0.0;
   origin.rotation.getRPY(roll, pitch, yaw);
+  *text << R"(<origin xyz=")" << origin.position.x << ' ' << origin.position.y << ' '
+        << origin.position.z << R"(" rpy=")" << roll << ' ' << pitch << ' ' << yaw << R"("/>)";
+}
+
+void writeJoint(const urdf::Joint& joint, std::ostream* text) {
   *text << R"(<joint name=")" << joint.name << R"(" type="revolute"><parent link=")"
-        << joint.parent_link_name << R"("/><child link=")" << joint.child_link_name
-        << R"("/><origin xyz=")" << origin.position.x << ' ' << origin.position.y << ' '
-        << origin.position.z << R"(" rpy=")" << roll << ' ' << pitch << ' ' << yaw
-        << R"("/><axis xyz=")" << joint.axis.x << ' ' << joint.axis.y << ' ' << joint.axis.z
+        << joint.parent_link_name << R"("/><child link=")" << joint.child_link_name << R"("/>)";
+  writeOrigin(joint.parent_to_joint_origin_transform, text);
+  *text << R"(<axis xyz=")" << joint.axis.x << ' ' << joint.axis.y << ' ' << joint.axis.z
         << R"("/><limit lower=")" << joint.limits->lower << R"(" upper=")" << joint.limits->upper
         << R"(" velocity=")" << joint.limits->velocity << R"(" effort=")" << joint.limits->effort
         << "\"/></joint>\n";
+}
+
+// Empty for what lies in files of its own.
+std::string geometryOf(const urdf::Visual& visual) {
+  std::ostringstream text;
+  if (visual.geometry->type == urdf::Geometry::CYLINDER) {
+    const auto& cylinder = static_cast<const urdf::Cylinder&>(*visual.geometry);
+    text << R"(<cylinder radius=")" << cylinder.radius << R"(" length=")" << cylinder.length;
+  } else if (visual.geometry->type == urdf::Geometry::BOX) {
+    const urdf::Vector3& size = static_cast<const urdf::Box&>(*visual.geometry).dim;
+    text << R"(<box size=")" << size.x << ' ' << size.y << ' ' << size.z;
+  } else if (visual.geometry->type == urdf::Geometry::SPHERE) {
+    text << R"(<sphere radius=")" << static_cast<const urdf::Sphere&>(*visual.geometry).radius;
+  } else {
+    return "";
+  }
+  return "<geometry>" + text.str() + "\"/></geometry>";
+}
+
+void writeVisual(const urdf::Visual& visual, std::ostream* text) {
+  const std::string geometry = geometryOf(visual);
+  if (geometry.empty()) return;
+  *text << "<visual>" << geometry;
+  writeOrigin(visual.origin, text);
+  if (visual.material) {
+    const urdf::Color& color = visual.material->color;
+    *text << R"(<material name=")" << visual.material_name << R"("><color rgba=")" << color.r << ' '
+          << color.g << ' ' << color.b << ' ' << color.a << R"("/></material>)";
+  }
+  *text << "</visual>";
+}
+
+void writeLink(const urdf::Link& link, std::ostream* text) {
+  *text << R"(<link name=")" << link.name << R"(">)";
+  for (const auto& visual : link.visual_array) writeVisual(*visual, text);
+  *text << "</link>\n";
 }
 
 }  // namespace
@@ -64,7 +103,7 @@ std::string jointsDescription(const UrdfModel& arm) {
     links.insert({joint.parent_link_name, joint.child_link_name});
     writeJoint(joint, &text);
   }
-  for (const std::string& link : links) text << R"(<link name=")" << link << "\"/>\n";
+  for (const std::string& link : links) writeLink(*arm->getLink(link), &text);
   text << "</robot>\n";
   return text.str();
 }

@@ -4,6 +4,7 @@
 
 import math
 import unittest
+import xml.etree.ElementTree
 
 import actionlib
 import rospy
@@ -12,6 +13,7 @@ from geometry_msgs.msg import WrenchStamped
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from std_srvs.srv import SetBool, Trigger
+from tf2_msgs.msg import TFMessage
 
 from node_killing import MOVES, STANDS, speed
 from node_testing import DEADLINE, Recorder, start_node, wait_until
@@ -55,6 +57,13 @@ class RobotTwin(unittest.TestCase):
         cls.play = rospy.ServiceProxy("robot_twin/play", Trigger)
         cls.cut = rospy.ServiceProxy("robot_twin/cut_network", SetBool)
         cls.run_controller = rospy.ServiceProxy("robot_twin/run_controller", SetBool)
+
+    def test_rviz_can_draw_the_robot_of_the_description(self):
+        robot = xml.etree.ElementTree.fromstring(rospy.get_param("/robot_description"))
+        links = {link.get("name") for link in robot.findall("link")}
+        self.assertGreater(len(robot.findall("link/visual")), 6)
+        told = lambda message: links <= {transform.child_frame_id for transform in message.transforms}
+        self.assertTrue(Recorder("/tf", TFMessage).wait_for(told), links)
 
     def begin_motion(self):
         self.joints.clear()

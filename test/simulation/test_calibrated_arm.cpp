@@ -45,6 +45,15 @@ TEST(CalibratedArm, isDescribedExactly) {
     const UrdfModel arm = calibratedArm(scenarioWith(kind), 2e-3, 5);
     const UrdfModel read = parseUrdf(jointsDescription(arm), "jointsDescription");
     EXPECT_LT(gapBetween(toolOf(describedArm(scenarioWith(kind), read)), toolOf(arm)), 1e-9);
+    for (const char* link : {"shoulder_link", "forearm_link", "wrist_2_link"}) {
+      const auto& seen = read->getLink(link)->visual_array;
+      const auto& whole = arm->getLink(link)->visual_array;
+      ASSERT_EQ(seen.size(), whole.size()) << link;
+      ASSERT_FALSE(seen.empty()) << link;
+      EXPECT_EQ(seen[0]->geometry->type, whole[0]->geometry->type) << link;
+      EXPECT_NEAR(seen[0]->origin.position.z, whole[0]->origin.position.z, 1e-9) << link;
+      EXPECT_EQ(seen[0]->material->color.r, whole[0]->material->color.r) << link;
+    }
   }
 }
 

@@ -15,8 +15,8 @@ namespace smore {
 /// nominal one for 0.
 UrdfModel calibratedArm(const Scenario& scenario, double stddev, std::uint64_t seed);
 
-/// A robot description with the arm's six joints and their links and nothing else, as text: what a
-/// user's description, made with the factory's calibration, knows of the arm.
+/// A robot description with the arm's six joints and their links, and how these look, as text: what
+/// a user's description, made with the factory's calibration, knows of the arm.
 std::string jointsDescription(const UrdfModel& arm);
 
 }  // namespace smore
