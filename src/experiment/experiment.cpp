@@ -13,6 +13,7 @@
 #include "smore/mapping/prior_maps.h"
 #include "smore/retrieval/reconstruction.h"
 #include "smore/retrieval/retrieval.h"
+#include "smore/retrieval/written_touches.h"
 #include "smore/simulation/simulated_robot.h"
 
 namespace smore {
@@ -106,6 +107,8 @@ TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& param
       makeMethod(parameters.method, scenario, seed, parameters.method_parameters, priors);
   if (parameters.random_touches) {
     method.touches = std::make_unique<RandomTouches>(scenario.motionSpace(), seed);
+  } else if (!parameters.written_touches.empty()) {
+    method.touches = std::make_unique<WrittenTouches>(parameters.written_touches);
   }
   if (parameters.informed_touches) method.touches = makeInformedTouches(method, scenario, seed);
   const auto recording = startRecording(scenario, parameters, seed, scene, priors, *simulated);

@@ -17,6 +17,7 @@
 #include "smore/experiment/program_main.h"
 #include "smore/experiment/progress_display.h"
 #include "smore/mapping/prior_maps.h"
+#include "smore/retrieval/written_touches.h"
 #include "smore/scenario/scenario_files.h"
 #include "smore/scenario/scenario_json.h"
 #include "smore/simulation/simulated_robot.h"
@@ -37,6 +38,7 @@ struct Arguments {
   std::string scenario;
   std::string method = "smore";
   std::string method_parameters;
+  std::string touch_poses;
   std::string output;
   bool validate = false;
   smore::ExperimentParameters parameters;
@@ -66,6 +68,8 @@ po::options_description optionsFor(Arguments* arguments) {
       "touch at random where the method would choose; for comparison");
   add("informed-touches", po::bool_switch(&parameters.informed_touches),
       "touch where most is told in space too, where touches are at random; for comparison");
+  add("touch-poses", po::value(&arguments->touch_poses)->value_name("FILE"),
+      "touch by the motions of a file (YAML) where the method would choose");
   add("output", po::value(&arguments->output)->value_name("FILE"),
       "result file (JSON) instead of standard output; with --validate, the scenario as read");
   add("maps", po::value(&parameters.maps_directory)->value_name("DIRECTORY"),
@@ -130,17 +134,25 @@ int exitCode(const std::vector<smore::TrialResult>& trials) {
   return smore::kInternalError;
 }
 
+// At most one way to touch that is not the method's own.
+void checkTouches(const Arguments& arguments) {
+  const smore::ExperimentParameters& parameters = arguments.parameters;
+  if (parameters.informed_touches && arguments.method != "smore") {
+    throw smore::InputError("--informed-touches: only the method smore can choose them");
+  }
+  const int ways = (parameters.random_touches ? 1 : 0) + (parameters.informed_touches ? 1 : 0) +
+                   (arguments.touch_poses.empty() ? 0 : 1);
+  if (ways > 1) {
+    throw smore::InputError("--random-touches, --informed-touches, --touch-poses: give one of them");
+  }
+}
+
 int run(Arguments arguments) {
   arguments.parameters.method = smore::methodKind(arguments.method);
   if (!arguments.method_parameters.empty() && arguments.method != "smore") {
     throw smore::InputError("--parameters: only the method smore takes them");
   }
-  if (arguments.parameters.informed_touches && arguments.method != "smore") {
-    throw smore::InputError("--informed-touches: only the method smore can choose them");
-  }
-  if (arguments.parameters.informed_touches && arguments.parameters.random_touches) {
-    throw smore::InputError("--informed-touches and --random-touches: give one of them");
-  }
+  checkTouches(arguments);
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
   const std::string file =
@@ -149,6 +161,10 @@ int run(Arguments arguments) {
   if (!arguments.method_parameters.empty()) {
     arguments.parameters.method_parameters =
         smore::loadMethodParameters(arguments.method_parameters);
+  }
+  if (!arguments.touch_poses.empty()) {
+    arguments.parameters.written_touches =
+        smore::loadMotions(arguments.touch_poses, scenario.motionSpace());
   }
   const bool for_real_robots = arguments.validate && !scenario.hasScene();
   if (!for_real_robots) {

@@ -39,7 +39,7 @@ RetrievalOutcome reconstruct(const ReconstructionParameters& parameters, Robot* 
     }
     if (path->empty()) {
       outcome.success = true;
-      outcome.reason = "no further touch would tell enough";
+      outcome.reason = "no touch is left that is worth making";
       break;
     }
     enter(Phase::kMoving);

@@ -44,6 +44,10 @@ echo 'belief: {}' >"$directory/no_parameters.yaml"
 expect 2 "belief.radios: unknown key" --scenario "$reference" --parameters "$directory/parameters.yaml"
 expect 2 "only the method smore" --scenario "$reference" --method paper \
   --parameters "$directory/parameters.yaml"
+printf 'motions:\n- poses: [{position: [9, 0, 0]}]\n- {poses: []}\n' >"$directory/touches.yaml"
+expect 2 "is outside of the workspace" --scenario chair --touch-poses "$directory/touches.yaml"
+expect 2 "poses" --scenario chair --touch-poses "$directory/touches.yaml"
+expect 2 "give one of them" --scenario chair --random-touches --touch-poses "$directory/touches.yaml"
 expect 1 "cannot be written" --scenario "$reference" --output /nowhere/result.json
 expect 1 "/proc/evidence: cannot be made" --scenario "$reference" --record /proc/evidence
 expect 1 "result.json: cannot be made" --scenario "$reference" \

@@ -22,11 +22,12 @@ struct ExperimentParameters {
   std::uint64_t seed = 1;              ///< trial i (from 1) uses seed + i - 1
   int jobs = 1;  ///< trials at a time, at least 1; the results do not depend on it
   int max_collisions = 2000;
-  int touches_after_success = 0;  ///< further touches for the sake of the maps, not negative
-  bool random_touches = false;    ///< touch at random, whatever the method knows better
-  bool informed_touches = false;  ///< where they tell most, also in space; needs the method smore
-  std::string maps_directory;     ///< where each trial's maps are saved; empty: they are not
-  std::string record_directory;   ///< where each trial's evidence is recorded; it exists
+  int touches_after_success = 0;      ///< further touches for the sake of the maps, not negative
+  bool random_touches = false;        ///< touch at random, whatever the method knows better
+  bool informed_touches = false;      ///< where they tell most, also in space; only with smore
+  std::vector<Path> written_touches;  ///< these motions instead of the method's own; empty: its own
+  std::string maps_directory;         ///< where each trial's maps are saved; empty: they are not
+  std::string record_directory;       ///< where each trial's evidence is recorded; it exists
 };
 
 /// The maps after further touches.

@@ -15,8 +15,8 @@ class TouchPlanner {
  public:
   virtual ~TouchPlanner() = default;
 
-  /// The next motion, from `from` (T_world_object); empty where no motion would tell enough. The
-  /// reason where none could be chosen.
+  /// The next motion, from `from` (T_world_object); empty where none is left that is worth making.
+  /// The reason where none could be chosen.
   virtual Result<Path> nextTouch(const Pose& from) = 0;
 };
 
