@@ -7,8 +7,9 @@ import pathlib
 import subprocess
 import sys
 import tempfile
-import threading
 import time
+
+from experiments import workers
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build/devel/lib/smore/smore_experiment"
@@ -62,7 +63,6 @@ class Store:
     def __init__(self, directory):
         directory.mkdir(parents=True, exist_ok=True)
         self.file = directory / "trials.jsonl"
-        self.lock = threading.Lock()
         self.finished = {}
         text = self.file.read_text() if self.file.exists() else ""
         whole = text[: text.rfind("\n") + 1]
@@ -81,10 +81,10 @@ class Store:
         return trial.evidence() is None or trial.evidence().exists()
 
     def add(self, trial, result):
-        record = {"trial": dataclasses.asdict(trial), "result": result}
-        with self.lock, self.file.open("a") as stream:
-            stream.write(json.dumps(record) + "\n")
-            self.finished[trial.name] = record
+        line = json.dumps({"trial": dataclasses.asdict(trial), "result": result})
+        with self.file.open("a") as stream:
+            stream.write(line + "\n")
+        self.finished[trial.name] = json.loads(line)
 
 
 class Progress:
@@ -104,31 +104,59 @@ class Progress:
 
 
 def run_one(trial):
-    with tempfile.TemporaryDirectory() as folder:
+    """The result of a trial. Its evidence is there when it is whole: of a machine that is lost another one repeats the
+    trial, while the first may still be writing."""
+    evidence = trial.evidence()
+    if evidence:
+        evidence.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=evidence and evidence.parent) as folder:
         output = pathlib.Path(folder) / "result.json"
-        done = subprocess.run(trial.command(output), stderr=subprocess.PIPE, text=True)
+        command = [folder if evidence and word == str(evidence.parent) else word for word in trial.command(output)]
+        done = subprocess.run(command, stderr=subprocess.PIPE, text=True)
         if done.returncode != 0:
             said = done.stderr.strip().splitlines()
             raise TrialError(f"{trial.name}: {said[-1] if said else f'exit code {done.returncode}'}")
+        if evidence:
+            (pathlib.Path(folder) / evidence.name).replace(evidence)
         return json.loads(output.read_text())["trials"][0]
 
 
-def run(trials, directory, jobs):
+def collect(asked, store, progress):
+    """Adds to the store what is found, as soon as it is; what the others said."""
+    problems = []
+    try:
+        for future in concurrent.futures.as_completed(asked):
+            if future.exception():
+                problems.append(str(future.exception()))
+            else:
+                store.add(asked[future], future.result())
+            progress.step()
+    finally:
+        for future in asked:
+            future.cancel()  # interrupted, only what is running ends
+    return problems
+
+
+def keep_finished(asked, store):
+    """Adds to the store what has been found and is not there yet."""
+    for future, trial in asked.items():
+        if future.done() and not future.cancelled() and not future.exception() and not store.knows(trial):
+            store.add(trial, future.result())
+
+
+def run(trials, directory, jobs, scheduler=None):
     """Records of all trials by their names. Those in `directory` already are not run again; where some fail the others
-    are finished first, then TrialError."""
+    are finished first, then TrialError. ClusterError where there is no such scheduler (experiments/workers.py)."""
     store = Store(directory)
     left = [trial for trial in trials if not store.knows(trial)]
     progress = Progress(len(trials) - len(left), len(trials))
-    problems = []
-
-    def work(trial):
-        store.add(trial, run_one(trial))
-
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        for future in concurrent.futures.as_completed([pool.submit(work, trial) for trial in left]):
-            if future.exception():
-                problems.append(str(future.exception()))
-            progress.step()
+    asked = {}
+    try:
+        with workers.executor(jobs, scheduler) as executor:
+            asked = {executor.submit(run_one, trial): trial for trial in left}
+            problems = collect(asked, store, progress)
+    finally:
+        keep_finished(asked, store)  # interrupted, some may have ended unseen
     if problems:
         raise TrialError("\n".join(problems))
     return {trial.name: store.finished[trial.name] for trial in trials}

@@ -130,6 +130,18 @@ class ExperimentsTest(unittest.TestCase):
             run(some, self.folder, 1)
         self.assertEqual(set(Store(self.folder).finished), {"t12", "t14"})
 
+    def test_what_was_found_when_it_is_interrupted_is_kept_and_the_rest_not_begun(self):
+        def interrupt(_progress):
+            raise KeyboardInterrupt
+
+        self.addCleanup(setattr, trials.Progress, "step", trials.Progress.step)
+        trials.Progress.step = interrupt
+        with self.assertRaises(KeyboardInterrupt):
+            run([Trial(f"t{seed}", "scene", seed) for seed in range(1, 9)], self.folder, 2)
+        kept = [record["trial"]["seed"] for record in Store(self.folder).finished.values()]
+        self.assertEqual(sorted(kept), self.seeds_called())
+        self.assertLess(len(kept), 8)
+
     def test_methods_are_told_apart_and_so_are_scenes(self):
         asked = [methods.trial(self.folder, "one_peg", method, seed) for method in methods.METHODS for seed in (7, 8)]
         asked.append(methods.trial(self.folder, "slit", "smore", 8))
