@@ -48,6 +48,7 @@ class Scene:
         self.planar = settings["motion"] == "planar"
         self.start = pose_of(settings["start"])
         self.goal = pose_of(settings["goal"])
+        self.workspace = tuple(np.array(settings["workspace"][end], dtype=float) for end in ("min", "max"))
         if "object" not in settings:
             raise SceneFileError(f"{self.name} is a task: it has no object and no environment to draw")
         self.object = triangles_of(settings["object"])

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A chair reconstructed by touching it with a rod, at random and where touches tell most (paper, figure 10)."""
+"""A chair reconstructed by touching it with a rod, at random, along a sweep as a hand would do it, and where touches
+tell most (paper, figure 10)."""
 import re
 
 import matplotlib
@@ -9,15 +10,17 @@ import matplotlib.pyplot as plt
 import numpy as np
 from scene_geometry import Scene
 
+from experiments import in_space, sweep
 from experiments.recording import Recording
 from experiments.surface import Surface
 from experiments.trials import ROOT, evidence_of, recorded, reported_seeds
 
-WHAT = "a chair reconstructed with a rod, by touches at random and informed ones (its figure 10)"
+WHAT = "a chair reconstructed with a rod, by touches at random, along a sweep, and informed ones (its figure 10)"
 SCENE = ROOT / "config/scenarios/chair.yaml"
-OPTIONS = {"random": ("--random-touches",), "informed": ("--informed-touches",)}
-COLORS = {"random": "#d55e00", "informed": "#0072b2"}
-STYLES = {"random": "--", "informed": "-"}
+KINDS = ("random", "sweep", "informed")
+COLORS = {"random": "#d55e00", "sweep": "#009e73", "informed": "#0072b2"}
+TOUCHES_OF = {"random": "random touches", "sweep": "touches of a sweep", "informed": "informed touches"}
+STYLES = {"random": "--", "sweep": ":", "informed": "-"}
 TOUCHES, QUICK_TOUCHES = 30, 10
 COUNT, QUICK_COUNT = 2, 1
 SHOWN = 4  # numbers of touches at which the maps are scored
@@ -33,11 +36,21 @@ def scene_with(touches, directory):
     return str(file)
 
 
+def options_of(kind, directory):
+    """Of smore_experiment."""
+    if kind == "random":
+        return ("--random-touches",)
+    if kind == "sweep":
+        return ("--touch-poses", sweep.write(Scene(SCENE), directory / "sweep.yaml"))
+    return ("--informed-touches",)
+
+
 def trials(directory, quick):
-    scene = scene_with(QUICK_TOUCHES if quick else TOUCHES, directory / "scenes")
+    scenes = directory / "scenes"
+    scene = scene_with(QUICK_TOUCHES if quick else TOUCHES, scenes)
     return [
-        recorded(f"{kind}_{seed}", scene, seed, "smore", directory, options)
-        for kind, options in OPTIONS.items() for seed in reported_seeds(QUICK_COUNT if quick else COUNT)
+        recorded(f"{kind}_{seed}", scene, seed, "smore", directory, options_of(kind, scenes))
+        for kind in KINDS for seed in reported_seeds(QUICK_COUNT if quick else COUNT)
     ]
 
 
@@ -104,51 +117,17 @@ def draw_distances(growths, surface):
     return figure
 
 
-def draw_voxels(axes, centers, voxel, triangles):
-    """Occupied voxels as cubes, the highest lightest, around the chair's edges."""
-    low = np.floor(centers.min(axis=0) / voxel).astype(int)
-    cells = np.floor(centers / voxel).astype(int) - low
-    filled = np.zeros(cells.max(axis=0) + 1, dtype=bool)
-    filled[tuple(cells.T)] = True
-    corners = [(np.arange(count + 1) + first) * voxel for count, first in zip(filled.shape, low)]
-    height = np.broadcast_to(np.linspace(0.2, 0.9, filled.shape[2]), filled.shape)
-    axes.voxels(
-        *np.meshgrid(*corners, indexing="ij"), filled, facecolors=plt.cm.viridis(height), edgecolor="#333333",
-        linewidth=0.2)
-    for solid in triangles:
-        for a, b in edges_of(solid):
-            axes.plot(*np.stack([a, b]).T, color="black", linewidth=0.7)
-
-
-def edges_of(triangles):
-    """Edges between triangles that are not in one plane: what one draws of a box."""
-    planes = {}
-    for corners in triangles:
-        normal = np.cross(corners[1] - corners[0], corners[2] - corners[0])
-        normal = normal / np.linalg.norm(normal)
-        for i in range(3):
-            ends = sorted(tuple(corner.round(6)) for corner in (corners[i], corners[(i + 1) % 3]))
-            planes.setdefault(tuple(ends), []).append(normal)
-    return [np.array(ends) for ends, normals in planes.items() if len(normals) < 2 or normals[0] @ normals[1] < 0.99]
-
-
 def draw_reconstructions(growths, scene):
-    figure = plt.figure(figsize=(7.2, 4.2))
-    figure.subplots_adjust(left=0.02, right=0.93, bottom=0.1, top=0.92, wspace=0.1)
+    figure = plt.figure(figsize=(7.2, 3.2))
+    figure.subplots_adjust(left=0.0, right=0.94, bottom=0.1, top=0.92, wspace=0.12)
+    corners = np.concatenate(scene.environment).reshape(-1, 3)
     for number, (kind, of_kind) in enumerate(growths.items()):
         axes = figure.add_subplot(1, len(growths), number + 1, projection="3d")
         centers, voxel = of_kind[0].last()
-        if len(centers):
-            draw_voxels(axes, centers, voxel, scene.environment)
-        shown = np.concatenate([np.concatenate(scene.environment).reshape(-1, 3), centers - voxel, centers + voxel])
-        low, high = shown.min(axis=0), shown.max(axis=0)
-        axes.set_box_aspect(high - low)
-        axes.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-        axes.set_zlim(low[2], high[2])
-        axes.view_init(elev=18, azim=-55)
-        axes.tick_params(labelsize=7)
-        axes.locator_params(nbins=3)
-        axes.set_title(f"{of_kind[0].touches[-1]} {kind} touches: {len(centers)} voxels", fontsize=9)
+        in_space.draw_voxels(axes, centers, voxel)
+        in_space.draw_edges(axes, scene.environment)
+        in_space.set_up(axes, np.concatenate([corners, centers - voxel, centers + voxel]), 18, -55)
+        axes.set_title(f"{of_kind[0].touches[-1]} {TOUCHES_OF[kind]}: {len(centers)} voxels", fontsize=8)
     return figure
 
 
@@ -168,7 +147,7 @@ def report(records, directory):
     surface = Surface(scene.environment)
     growths = {
         kind: [Growth(record, surface, directory) for name, record in records.items() if name.startswith(kind)]
-        for kind in OPTIONS
+        for kind in KINDS
     }
     return table(growths), {
         "figure10_chair": draw_reconstructions(growths, scene), "figure10_distances": draw_distances(growths, surface),
