@@ -107,8 +107,8 @@ def draw_distances(growths, surface):
         distances = np.concatenate([surface.distances(centers) for centers, _ in found])
         share = np.mean(distances <= voxel) if distances.size else np.nan
         axes.hist(
-            np.minimum(100 * distances, FARTHEST), bins=np.arange(0, FARTHEST + 1, 0.5), histtype="step", linewidth=1.4, color=COLORS[kind],
-            linestyle=STYLES[kind], label=f"{kind}: {share:.2f} within a voxel")
+            np.minimum(100 * distances, FARTHEST), bins=np.arange(0, FARTHEST + 1, 0.5), histtype="step",
+            linewidth=1.4, color=COLORS[kind], linestyle=STYLES[kind], label=f"{kind}: {share:.2f} within a voxel")
     axes.axvline(100 * voxel, color="#888888", linewidth=0.8)
     axes.set(xlabel="distance to the chair's surface [cm]", ylabel="occupied voxels")
     axes.set_xticks([0, 4, 8, FARTHEST + 0.25])

@@ -1,35 +1,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A UR5e and one peg at voxels of 5 cm: lines of action, maps and plan at moments of a retrieval (paper, figure 9)."""
-import re
-
 from scene_geometry import Scene
 
 from experiments import strip
 from experiments.recording import Recording, moments
-from experiments.trials import ROOT, evidence_of, recorded, reported_seeds
+from experiments.trials import evidence_of, recorded, reported_seeds, unperturbed
 
 WHAT = "a UR5e frees an object from one peg: lines of action, maps and plan at voxels of 5 cm (its figure 9)"
-SCENE = ROOT / "config/scenarios/ur5e_one_peg.yaml"
+SCENE = "ur5e_one_peg"
 SEED = reported_seeds(1)[0]
 SHOWN = 3  # moments
 LINE = 0.25  # of a line of action, to each side [m]
 
 
-def unperturbed(directory):
-    """The scene as it stands in its file: a trial's own shift of it is not in what pictures know of a scene."""
-    directory.mkdir(parents=True, exist_ok=True)
-    file = directory / "ur5e_one_peg.yaml"
-    file.write_text(re.sub(r"^perturb:.*\n", "", SCENE.read_text(), flags=re.MULTILINE))
-    return str(file)
-
-
 def trials(directory, _quick):
-    return [recorded("ur5e_one_peg", unperturbed(directory / "scenes"), SEED, "smore", directory)]
+    return [recorded(SCENE, unperturbed(SCENE, directory / "scenes"), SEED, "smore", directory)]
 
 
 def report(records, directory):
     """Collisions as text, and the strip."""
-    record = records["ur5e_one_peg"]
+    record = records[SCENE]
     planar, recording = strip.PlanarScene(Scene(record["trial"]["scenario"])), Recording(evidence_of(record))
 
     def draw_known(axes, index):

@@ -5,7 +5,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from mpl_toolkits.mplot3d.art3d import Line3DCollection
+from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 FLAT = 0.99  # cosine of the angle between two triangles that are drawn as one face
 
@@ -28,6 +28,13 @@ def draw_edges(axes, solids, color="black", width=0.7):
     axes.add_collection3d(Line3DCollection(edges, colors=color, linewidths=width))
 
 
+def draw_solids(axes, solids, color, opacity):
+    """Solids that let through what is behind them, and their edges."""
+    for solid in solids:
+        axes.add_collection3d(Poly3DCollection(solid, facecolors=color, alpha=opacity, linewidths=0))
+    draw_edges(axes, solids, color)
+
+
 def draw_voxels(axes, centers, voxel):
     """Occupied voxels as cubes, the highest lightest."""
     if not len(centers):
@@ -47,8 +54,9 @@ def set_up(axes, points, elevation, azimuth):
     """Axes in metres, equally long units, around some points."""
     low, high = points.min(axis=0), points.max(axis=0)
     axes.set_box_aspect(high - low)
-    axes.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]", xlim=(low[0], high[0]), ylim=(low[1], high[1]))
-    axes.set_zlim(low[2], high[2])
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
+    for name, label in (("x", axes.set_xlabel), ("y", axes.set_ylabel), ("z", axes.set_zlabel)):
+        label(f"{name} [m]", fontsize=8)
     axes.view_init(elev=elevation, azim=azimuth)
     axes.tick_params(labelsize=7)
     axes.locator_params(nbins=3)

@@ -4,6 +4,7 @@ import concurrent.futures
 import dataclasses
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -46,6 +47,16 @@ class Trial:
 def recorded(name, scenario, seed, method, directory, options=()):
     """A trial that records its evidence below `directory`."""
     return Trial(name, scenario, seed, method, ("--record", str(directory / "evidence" / name), *options))
+
+
+def unperturbed(scene, directory):
+    """The path of a file with a scene of config/scenarios as it stands there, written to `directory`: a trial's own
+    shift of it is not in what pictures know of a scene."""
+    directory.mkdir(parents=True, exist_ok=True)
+    file = directory / f"{scene}.yaml"
+    text = (ROOT / f"config/scenarios/{scene}.yaml").read_text()
+    file.write_text(re.sub(r"^perturb:.*\n", "", text, flags=re.MULTILINE))
+    return str(file)
 
 
 def evidence_of(record):

@@ -59,6 +59,10 @@ Method makePaper(const Scenario& scenario, std::uint64_t seed) {
   method.maps = makeSequentialBelief(scenario);
   MapPlannerParameters parameters;
   parameters.path = pathParameters(scenario);
+  // As the paper has it: RRT in the plane, RRT-Connect in space (its figure 8).
+  if (scenario.motion == Motion::kSpatial) {
+    parameters.path.algorithm = PlannerAlgorithm::kRrtConnect;
+  }
   method.planner = std::make_unique<MapPlanner>(*method.maps, scenario.motionSpace(), parameters,
                                                 plannerSeed(seed));
   method.touches = std::make_unique<RandomTouches>(scenario.motionSpace(), seed);

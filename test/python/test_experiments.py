@@ -17,9 +17,10 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 from experiments import (  # noqa: E402
-    animation, calibration, figure3, figure4, figure5, figure6, figure7, figure9, figure10, generality,
-    learning, lines_through_a_voxel, methods, rivals, sensitivity, trials,
+    animation, calibration, figure3, figure4, figure5, figure6, figure7, figure8, figure9, figure10, generality,
+    learning, lines_through_a_voxel, methods, rivals, sensitivity, sweep, trials,
 )
+from scene_geometry import rotation_of  # noqa: E402
 from experiments.recording import Recording, moments  # noqa: E402
 from experiments.trials import Store, Trial, TrialError, run  # noqa: E402
 
@@ -34,7 +35,8 @@ seed = int(arguments["--seed"])
 motions = [{"risk": 0.9, "touched": True}] * (seed % 5) + [{"risk": 0.4, "touched": False}]
 trial = {"seed": seed, "success": seed % 7 != 0, "collisions": seed % 5, "motions": motions}
 trial.update({"interactions": 100 * seed, "episodes": [[50, 1, -9.0], [100 * seed, 2, -3.0]], "reason": "at the goal"})
-trial.update({side: {"precision": None if seed == 1001 else 0.5} for side in ("object_map", "world_map")})
+some_map = {"precision": None if seed == 1001 else 0.5, "occupied": seed % 3}
+trial.update({side: some_map for side in ("object_map", "world_map")})
 open(arguments["--output"], "w").write(json.dumps({"trials": [trial]}))
 if "--record" in arguments:
     import pathlib
@@ -229,6 +231,22 @@ class ExperimentsTest(unittest.TestCase):
             self.assertEqual(given.stat().st_mtime_ns, made)
             self.assertFalse(list((self.folder / "maps").glob("*.evidence")))
 
+    def test_a_sweep_covers_the_workspace_from_all_sides_coarsely_first(self):
+        low, high = np.array([-0.5, -0.4, 0.1]), np.array([0.7, 0.6, 1.2])
+        directions, begins = [], []
+        for motion in sweep.motions((low, high), np.array([0.6, 0.0, 0.9])):
+            self.assertTrue(all(np.all(place >= low) and np.all(place <= high) for place, _rpy in motion))
+            (begin, rpy), (end, _rpy) = motion[2:4]
+            ahead = rotation_of(rpy) @ [0, 0, -1]  # where a rod that hangs down points to
+            self.assertGreater(ahead @ (end - begin), 0)
+            directions.append(tuple(np.sign(end - begin).astype(int)))
+            begins.append(begin)
+        first_round = directions[: len(directions) // 3]
+        self.assertEqual(set(first_round), {(0, 0, -1), (-1, 0, 0), (0, -1, 0), (1, 0, 0), (0, 1, 0)})
+        for axis, name in ((0, (0, 0, -1)), (1, (1, 0, 0)), (2, (0, 1, 0))):
+            places = np.unique([begin[axis] for begin, way in zip(begins, directions) if way == name])
+            self.assertLessEqual(np.diff([low[axis], *places, high[axis]]).max(), sweep.APART / 2 + 1e-9)
+
     def test_an_animation_shows_each_motion_to_its_end(self):
         recording = Recording(self.folder / "program.evidence")
         shown = animation.frames(recording)
@@ -254,7 +272,7 @@ class ExperimentsTest(unittest.TestCase):
     def test_each_experiment_draws_its_figures(self):
         scene = self.folder / "scenes/planar_1001.yaml"
         scene.parent.mkdir()
-        figures_of_paper = (figure3, figure4, figure5, figure6, figure7, figure9, figure10)
+        figures_of_paper = (figure3, figure4, figure5, figure6, figure7, figure8, figure9, figure10)
         for experiment in (*figures_of_paper, rivals, calibration, sensitivity, generality):
             if experiment is generality:
                 drawn = {"object": "star", "obstacles": "pegs", "scale": 2.5, "rejected": {"no way out was found": 2}}
