@@ -17,7 +17,7 @@ class Method:
 
 METHODS = {
     "smore": Method("smore", "joint belief over all contacts, least risk"),
-    "paper": Method("paper", "the paper's laws in sequence, RRT around occupied voxels"),
+    "paper": Method("paper", "the paper's laws in sequence, RRT (in space RRT-Connect) around occupied voxels"),
     "cspace": Method("cspace", "the paper's baseline: RRT around the poses of contacts"),
     "blocked": Method("blocked", "a probability map over configurations (Pajarinen et al., 2020)"),
     "chs": Method("chs", "collision hypothesis sets, told the object (Saund and Berenson, 2018)", told=True),

@@ -6,7 +6,6 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-import plot_results
 
 from experiments import learning
 from experiments.trials import ROOT, Trial
@@ -44,16 +43,16 @@ def table(results):
 
 def draw(results):
     """Return of each episode against the interactions by its end; a star where the goal was reached."""
-    figure, axes = plt.subplots(figsize=(6.0, 3.6), constrained_layout=True)
+    figure, axes = plt.subplots(figsize=(3.5, 2.5), constrained_layout=True)
     for trial in results:
         ends, returns = [end for end, *_ in trial["episodes"]], [last for *_, last in trial["episodes"]]
         (line,) = axes.plot(ends, returns, linewidth=1.0, alpha=0.8, label=f"seed {trial['seed']}")
         if trial["success"] and ends:
-            axes.plot(ends[-1], returns[-1], "*", markersize=12, color=line.get_color())
-    axes.set_xlabel("interactions")
-    axes.set_ylabel("return of an episode")
-    axes.set_title("Soft Actor-Critic (stars: the goal is reached)", fontsize=10, color=plot_results.COLORS["sac"])
+            axes.plot(ends[-1], returns[-1], "*", markersize=9, color=line.get_color())
+    axes.set_xlabel("interactions (star: the goal is reached)", fontsize=8)
+    axes.set_ylabel("return of an episode", fontsize=8)
+    axes.tick_params(labelsize=8)
     axes.grid(alpha=0.3)
     if results:
-        axes.legend(fontsize=8, frameon=False)
+        axes.legend(fontsize=7, frameon=False)
     return figure

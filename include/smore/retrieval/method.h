@@ -16,7 +16,7 @@
 namespace smore {
 
 enum class MethodKind {
-  kPaper,    ///< the laws in sequence; RRT around voxels with P >= 0.5
+  kPaper,    ///< the laws in sequence; RRT (space: RRT-Connect) around voxels with P >= 0.5
   kCspace,   ///< the paper's baseline: RRT around the poses of known contacts; no use of the maps
   kSmore,    ///< the best that this project can do
   kBlocked,  ///< probabilities of configurations from blocked movements (Pajarinen et al., 2020)
