@@ -5,8 +5,10 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
+TICKS = 3  # of the longest axis
 FLAT = 0.99  # cosine of the angle between two triangles that are drawn as one face
 
 
@@ -59,4 +61,6 @@ def set_up(axes, points, elevation, azimuth):
         label(f"{name} [m]", fontsize=8)
     axes.view_init(elev=elevation, azim=azimuth)
     axes.tick_params(labelsize=7)
-    axes.locator_params(nbins=3)
+    shares = (high - low) / (high - low).max()
+    for axis, share in zip((axes.xaxis, axes.yaxis, axes.zaxis), shares):
+        axis.set_major_locator(MaxNLocator(max(1, round(TICKS * share))))

@@ -14,7 +14,7 @@ Pose readPose(ParameterReader* reader, const MotionSpace& space) {
   Vec3 rpy = Vec3::Zero();
   reader->vector("position", &position);
   if (reader->has("rpy")) reader->angles("rpy", &rpy);
-  const Pose pose = makePose(position, rpy);
+  Pose pose = makePose(position, rpy);
   const std::string problem = space.whyOutside(pose);
   if (!problem.empty()) reader->error("position", problem);
   reader->finishNested();
