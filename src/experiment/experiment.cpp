@@ -94,6 +94,18 @@ void saveTrialMaps(const TwinMap& maps, const ExperimentParameters& parameters,
   saveMaps(maps, parameters.maps_directory + (several ? "/seed_" + std::to_string(seed) : ""));
 }
 
+// Touches that are not the method's own; null where none are asked for.
+std::unique_ptr<TouchPlanner> askedTouches(const ExperimentParameters& parameters,
+                                           const Method& method, const Scenario& scenario,
+                                           std::uint64_t seed) {
+  if (parameters.random_touches) {
+    return std::make_unique<RandomTouches>(scenario.motionSpace(), seed);
+  }
+  if (parameters.informed_touches) return makeInformedTouches(method, scenario, seed);
+  if (parameters.written_touches.empty()) return nullptr;
+  return std::make_unique<WrittenTouches>(parameters.written_touches);
+}
+
 }  // namespace
 
 TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& parameters,
@@ -105,12 +117,9 @@ TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& param
   const Priors priors = makePriors(scene);
   Method method =
       makeMethod(parameters.method, scenario, seed, parameters.method_parameters, priors);
-  if (parameters.random_touches) {
-    method.touches = std::make_unique<RandomTouches>(scenario.motionSpace(), seed);
-  } else if (!parameters.written_touches.empty()) {
-    method.touches = std::make_unique<WrittenTouches>(parameters.written_touches);
+  if (auto asked = askedTouches(parameters, method, scenario, seed)) {
+    method.touches = std::move(asked);
   }
-  if (parameters.informed_touches) method.touches = makeInformedTouches(method, scenario, seed);
   const auto recording = startRecording(scenario, parameters, seed, scene, priors, *simulated);
   InProcessRobot robot(simulated.get(), sensingParameters(scene), seed,
                        [&](const ContactObservation& observation) {

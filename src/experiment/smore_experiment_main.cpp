@@ -143,7 +143,8 @@ void checkTouches(const Arguments& arguments) {
   const int ways = (parameters.random_touches ? 1 : 0) + (parameters.informed_touches ? 1 : 0) +
                    (arguments.touch_poses.empty() ? 0 : 1);
   if (ways > 1) {
-    throw smore::InputError("--random-touches, --informed-touches, --touch-poses: give one of them");
+    throw smore::InputError(
+        "--random-touches, --informed-touches, --touch-poses: give one of them");
   }
 }
 
