@@ -13,7 +13,7 @@ import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
-from experiments.figure10 import edges_of  # noqa: E402
+from experiments.in_space import edges_of  # noqa: E402
 from experiments.surface import Surface, points_of, winding  # noqa: E402
 
 
