@@ -73,7 +73,6 @@ class GuardNode {
 
   void run() {
     while (!shutdown_.pending()) {
-      guard_.limitTo(limits_.now());
       // What has come by now is handed over first: silence is not that this node was held up.
       heard_ = now();
       queue_.callAvailable(period_);
@@ -109,12 +108,14 @@ class GuardNode {
   }
 
   void onWrench(const geometry_msgs::WrenchStamped& message) {
+    guard_.limitTo(limits_.now());
     const ros::Time& stamp = message.header.stamp;
     guard_.onWrench(measuredAt(stamp), stamp.toSec(), fromMessage(message.wrench));
     reactToFault();
   }
 
   void onJoints(const sensor_msgs::JointState& message) {
+    guard_.limitTo(limits_.now());
     const ros::Time& stamp = message.header.stamp;
     guard_.onJoints(measuredAt(stamp),
                     {stamp.toSec(), message.name, message.position, message.velocity});
@@ -155,6 +156,7 @@ class GuardNode {
 
   void onCommand(const trajectory_msgs::JointTrajectory& message) {
     if (message.points.empty()) return halt();
+    guard_.limitTo(limits_.now());
     checkController();
     const auto motion = guard_.admit(heard_, fromMessage(message));
     reactToFault();
