@@ -118,8 +118,8 @@ def draw_distances(growths, surface):
 
 
 def draw_reconstructions(growths, scene):
-    figure = plt.figure(figsize=(7.2, 3.2))
-    figure.subplots_adjust(left=0.0, right=0.94, bottom=0.1, top=0.92, wspace=0.12)
+    figure = plt.figure(figsize=(7.2, 3.4))
+    figure.subplots_adjust(left=0.0, right=0.93, bottom=0.18, top=0.93, wspace=0.15)
     corners = np.concatenate(scene.environment).reshape(-1, 3)
     for number, (kind, of_kind) in enumerate(growths.items()):
         axes = figure.add_subplot(1, len(growths), number + 1, projection="3d")

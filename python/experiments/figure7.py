@@ -64,7 +64,7 @@ def draw_method(axes, line, method, results):
         low, high = interval_of_mean(counts[reached])
         axes.errorbar(mean, line, xerr=[[mean - low], [high - mean]], fmt="|", color="black", markersize=11, capsize=2,
                       linewidth=1.1)
-        axes.annotate(f"{mean:.3g}", (mean, line), (0, 7), textcoords="offset points", ha="center", fontsize=7)
+        axes.annotate(f"{mean:.{0 if mean >= 100 else 1}f}", (mean, line), (0, 7), textcoords="offset points", ha="center", fontsize=7)
     if method in PAPER:
         axes.plot(PAPER[method], line, "D", markersize=5, markerfacecolor="none", markeredgecolor="#c62828")
 
