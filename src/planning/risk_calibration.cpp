@@ -31,7 +31,7 @@ void normalise(Weights* weights) {
 
 }  // namespace
 
-RiskCalibration::RiskCalibration(Motion motion) : weights_{} {
+RiskCalibration::RiskCalibration(Motion motion) {
   const double mean = motion == Motion::kSpatial ? kMeanInSpace : 0.0;
   for (int i = 0; i < kShifts; ++i) {
     weights_[i] = std::exp(-0.5 * std::pow((shift(i) - mean) / kDeviation, 2));

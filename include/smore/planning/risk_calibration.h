@@ -29,7 +29,7 @@ class RiskCalibration {
   static constexpr int kShifts = 81;
   static double shift(int index);
 
-  std::array<double, kShifts> weights_;  ///< of the shifts of the log odds; they sum to 1
+  std::array<double, kShifts> weights_{};  ///< of the shifts of the log odds; they sum to 1
 };
 
 }  // namespace smore
