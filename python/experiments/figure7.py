@@ -20,7 +20,7 @@ SAC_COUNT, SAC_INTERACTIONS = 5, 20000
 QUICK_SAC_COUNT, QUICK_SAC_INTERACTIONS = 1, 1000
 LIMITS = {"chs": 100}  # of collisions, where others than the program's: each of its plans takes a second
 QUICK_LIMIT = 40  # of collisions, of which the slower methods need hundreds: crosses in the figure
-PAPER = {"paper": 96, "cspace": 548, "sac": 3136}  # its means of ten trials
+PAPER = {"paper": 96, "cspace": 548, "sac": 3136}  # its means
 NAMES = {"smore_told": "smore, told\nthe object", "chs": "chs, told\nthe object"}
 SPREAD = 0.3  # of the points around their method's line
 RESAMPLED = 10000
@@ -64,7 +64,8 @@ def draw_method(axes, line, method, results):
         low, high = interval_of_mean(counts[reached])
         axes.errorbar(mean, line, xerr=[[mean - low], [high - mean]], fmt="|", color="black", markersize=11, capsize=2,
                       linewidth=1.1)
-        axes.annotate(f"{mean:.{0 if mean >= 100 else 1}f}", (mean, line), (0, 7), textcoords="offset points", ha="center", fontsize=7)
+        digits = 0 if mean >= 100 else 1
+        axes.annotate(f"{mean:.{digits}f}", (mean, line), (0, 7), textcoords="offset points", ha="center", fontsize=7)
     if method in PAPER:
         axes.plot(PAPER[method], line, "D", markersize=5, markerfacecolor="none", markeredgecolor="#c62828")
 

@@ -37,7 +37,7 @@ EvidenceSource readEvidenceSource(const std::string& records, const std::string&
 /// A planned motion, and what came of it.
 struct RecordedMotion {
   Path path;                            ///< as planned [T_world_object]
-  std::optional<double> risk;           ///< that the planner stated, in [0, 1]
+  std::optional<double> risk;           ///< that was stated before it, in [0, 1]
   std::size_t observations_before;      ///< observations that had been recorded when it began
   std::optional<MotionEnd> end;         ///< nothing where the file ends before the motion did
   Pose T_world_end = Pose::Identity();  ///< where the object was then
