@@ -4,7 +4,7 @@ so that its `wait_for_result` never hears of a goal that ends at once."""
 
 from actionlib import CommState
 
-from node_testing import wait_until
+from node_testing import DEADLINE, wait_until
 
 
 def has_arrived(client):
@@ -12,6 +12,6 @@ def has_arrived(client):
     return wait_until(lambda: client.gh.get_comm_state() != CommState.WAITING_FOR_GOAL_ACK)
 
 
-def has_ended(client):
-    """Whether the client's goal ends in time; then its result is there."""
-    return wait_until(lambda: client.gh.get_comm_state() == CommState.DONE)
+def has_ended(client, deadline=DEADLINE):
+    """Whether the client's goal ends in time [s]; then its result is there."""
+    return wait_until(lambda: client.gh.get_comm_state() == CommState.DONE, deadline)

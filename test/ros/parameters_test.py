@@ -114,8 +114,9 @@ class Parameters(unittest.TestCase):
                     self.refused(
                         node, parameters, "belief.radios: unknown key", "belief.sweeps", "planner.paths"
                     )
+                    parameters["method"] = "cspace"
+                    self.refused(node, parameters, "the method cspace has no parameters")
                     parameters["method"] = "paper"
-                    self.refused(node, parameters, "only the method smore takes them")
                     parameters["parameters"] = "/nowhere/parameters.yaml"
                     self.refused(node, parameters, "/nowhere/parameters.yaml: cannot be read")
 

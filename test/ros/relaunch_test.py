@@ -14,6 +14,7 @@ import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
 
+from action_clients import has_ended
 from node_testing import DEADLINE, start_node, wait_until
 from smore.msg import RetrieveAction, RetrieveGoal
 
@@ -40,7 +41,7 @@ class Launch:
         self._client.send_goal(RetrieveGoal())
         assert wait_until(lambda: self._client.get_state() == GoalStatus.ACTIVE)
         self._client.cancel_goal()
-        assert self._client.wait_for_result(rospy.Duration(DEADLINE))
+        assert has_ended(self._client)
         return self._client.get_state()
 
 

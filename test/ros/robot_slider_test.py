@@ -13,6 +13,7 @@ from geometry_msgs.msg import Pose, Quaternion
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
 
+from action_clients import has_ended
 from node_killing import MOVES, STANDS, speed
 from node_testing import DEADLINE, Recorder, stamped, start_node, wait_until
 from smore.msg import ContactObservation, RetrieveAction, RetrieveGoal
@@ -37,7 +38,7 @@ class Slider(unittest.TestCase):
     def tearDown(self):
         self.set_slider(1.0)
         self.client.cancel_goal()
-        self.client.wait_for_result(rospy.Duration(DEADLINE))
+        has_ended(self.client)
 
     def set_slider(self, share):
         self.scaling.clear()
@@ -68,7 +69,7 @@ class Slider(unittest.TestCase):
         self.assertIsNotNone(self.joints.wait_for(lambda m: speed(m) > SLOW * MOVES))
         self.pause_for(PAUSE)
         self.set_slider(SLOW)
-        self.assertTrue(self.client.wait_for_result(rospy.Duration(LONG)))
+        self.assertTrue(has_ended(self.client, LONG))
         result = self.client.get_result()
         self.assertTrue(result.success, result.message)
         self.assertEqual(self.phases.count("moving"), 1, "it took more than one motion")

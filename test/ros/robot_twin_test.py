@@ -15,6 +15,7 @@ from std_msgs.msg import String
 from std_srvs.srv import SetBool, Trigger
 from tf2_msgs.msg import TFMessage
 
+from action_clients import has_ended
 from node_killing import MOVES, STANDS, speed
 from node_testing import DEADLINE, Recorder, start_node, wait_until
 from smore.msg import ContactObservation, RetrieveAction, RetrieveGoal
@@ -73,7 +74,7 @@ class RobotTwin(unittest.TestCase):
 
     def ends_with(self, words):
         self.assertIsNotNone(self.faults.wait_for(lambda m: words in m.data), "no fault")
-        self.assertTrue(self.client.wait_for_result(rospy.Duration(DEADLINE)))
+        self.assertTrue(has_ended(self.client))
         self.assertIn("the guard has stopped the robot", self.client.get_result().message)
         self.let_pass(ON_ITS_WAY)
 
@@ -153,7 +154,7 @@ class RobotTwin(unittest.TestCase):
     def test_a_cancel_in_contact_is_followed_by_a_way_back(self):
         self.touch()
         self.client.cancel_goal()
-        self.assertTrue(self.client.wait_for_result(rospy.Duration(DEADLINE)))
+        self.assertTrue(has_ended(self.client))
         self.contacts.clear()
         # How far it went does not matter: what touched while the robot braked already may press no more by itself.
         free = lambda m: m.state == ContactObservation.FREE
@@ -162,10 +163,10 @@ class RobotTwin(unittest.TestCase):
     def test_a_goal_that_comes_while_it_backs_off_takes_over(self):
         self.touch()
         self.client.cancel_goal()
-        self.assertTrue(self.client.wait_for_result(rospy.Duration(DEADLINE)))
+        self.assertTrue(has_ended(self.client))
         self.forget()
         self.client.send_goal(RetrieveGoal(max_collisions=1))
-        self.assertTrue(self.client.wait_for_result(rospy.Duration(2 * DEADLINE)))
+        self.assertTrue(has_ended(self.client, 2 * DEADLINE))
         self.assertEqual(self.client.get_result().message, "reached the limit of 1 collisions")
 
     def stopped_in_contact(self):
@@ -173,7 +174,7 @@ class RobotTwin(unittest.TestCase):
         by the tenth of a millimetre that a rigid peg takes to let go."""
         first = self.touch()
         self.assertTrue(self.stop().success)
-        self.assertTrue(self.client.wait_for_result(rospy.Duration(DEADLINE)))
+        self.assertTrue(has_ended(self.client))
         told = "may still press" in self.client.get_result().message
         self.assertTrue(self.stays(), "it moves after the stop")
         return first if told and self.contacts.messages()[-1].state == ContactObservation.CONTACT else None
@@ -187,7 +188,7 @@ class RobotTwin(unittest.TestCase):
         self.assertGreater(distance(first, self.contacts.messages()[-1]), HAS_BACKED_OFF)
         self.assertLess(math.hypot(*force(self.wrenches.messages()[-1])), CONTACT_FORCE)
         self.client.cancel_goal()
-        self.assertTrue(self.client.wait_for_result(rospy.Duration(DEADLINE)))
+        self.assertTrue(has_ended(self.client))
 
     def test_a_stopped_controller_is_named_before_anything_moves(self):
         self.addCleanup(self.run_controller, True)
@@ -216,7 +217,7 @@ class RobotTwin(unittest.TestCase):
         self.wrenches.clear()
         self.contacts.clear()
         self.client.send_goal(RetrieveGoal(max_collisions=3))
-        self.assertTrue(self.client.wait_for_result(rospy.Duration(2 * DEADLINE)))
+        self.assertTrue(has_ended(self.client, 2 * DEADLINE))
         return self.touches()
 
     def touches(self):
