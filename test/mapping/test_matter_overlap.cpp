@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "smore/mapping/matter_overlap.h"
+
+namespace smore {
+namespace {
+
+constexpr float kDistance = 0.02F;
+constexpr int kAll = kHypotheses;
+
+// Points in clumps, as matter around touches, all over a cube of this size; in a few hypotheses
+// each.
+std::vector<MaskedPoint> clumps(int count, float size, bool planar, std::mt19937_64* random) {
+  std::uniform_real_distribution<float> anywhere(-0.5F * size, 0.5F * size);
+  std::normal_distribution<float> near(0.0F, 2.0F * kDistance);
+  MaskedPoints points(kDistance / 3.0F);
+  for (int clump = 0; clump < count; ++clump) {
+    const Eigen::Vector3f center(anywhere(*random), anywhere(*random), anywhere(*random));
+    const HypothesisMask mask = (*random)() & (*random)();
+    for (int i = 0; i < 12; ++i) {
+      Eigen::Vector3f point = center + Eigen::Vector3f(near(*random), near(*random), near(*random));
+      if (planar) point.z() = 0.0F;
+      points.add(point, mask);
+    }
+  }
+  return points.points();
+}
+
+Eigen::Isometry3f pose(float size, bool planar, std::mt19937_64* random) {
+  std::uniform_real_distribution<float> shift(-0.4F * size, 0.4F * size);
+  std::normal_distribution<float> part;
+  Eigen::Isometry3f result = Eigen::Isometry3f::Identity();
+  result.translation() << shift(*random), shift(*random), planar ? 0.0F : shift(*random);
+  Eigen::Quaternionf turn(part(*random), part(*random), part(*random), part(*random));
+  if (planar) turn.x() = turn.y() = 0.0F;
+  result.linear() = turn.normalized().toRotationMatrix();
+  return result;
+}
+
+// Hypotheses in which some balls' centres are nearer than `distance`.
+HypothesisMask pairsWithin(float distance, const std::vector<MaskedPoint>& object,
+                           const std::vector<MaskedPoint>& world, const Eigen::Isometry3f& pose) {
+  HypothesisMask result = 0;
+  for (const MaskedPoint& a : object) {
+    const Eigen::Vector3f place = pose * a.point;
+    for (const MaskedPoint& b : world) {
+      if ((place - b.point).norm() < distance) result |= a.mask & b.mask;
+    }
+  }
+  return result;
+}
+
+struct Case {
+  int object;  // clumps
+  int world;
+  float size;  // of what they lie in [m]
+  bool planar;
+};
+
+class Overlap : public testing::TestWithParam<Case> {};
+
+// Places are rounded to cells of a sixth of the distance, both of them.
+TEST_P(Overlap, IsWhatAllPairsSay) {
+  const Case given = GetParam();
+  std::mt19937_64 random(7);
+  const auto object = clumps(given.object, given.size, given.planar, &random);
+  const auto world = clumps(given.world, given.size, given.planar, &random);
+  const MatterOverlap overlap(object, world, kDistance, 2.0F * kDistance, given.planar);
+  int touching = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::Isometry3f at = pose(given.size, given.planar, &random);
+    const HypothesisMask found = overlap.at(at, kAll);
+    EXPECT_EQ(pairsWithin(0.7F * kDistance, object, world, at) & ~found, 0U) << i;
+    EXPECT_EQ(found & ~pairsWithin(1.3F * kDistance, object, world, at), 0U) << i;
+    touching += found != 0 ? 1 : 0;
+  }
+  EXPECT_GT(touching, 15);
+  EXPECT_LT(touching, 300);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Overlap,
+                         testing::Values(Case{4, 9, 1.0F, true}, Case{9, 4, 0.2F, false},
+                                         Case{60, 60, 1.2F, false}, Case{40, 40, 8.0F, true}));
+
+}  // namespace
+}  // namespace smore
