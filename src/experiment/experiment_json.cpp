@@ -111,8 +111,8 @@ std::string toJson(const Scenario& scenario, const ExperimentParameters& paramet
             {"seed", parameters.seed},
             {"trials", list},
             {"summary", summaryJson(trials)}};
-  if (parameters.method == MethodKind::kSmore) {
-    json["parameters"] = toJson(parameters.method_parameters);
+  if (takesParameters(parameters.method)) {
+    json["parameters"] = toJson(parameters.method, parameters.method_parameters);
   }
   return json.dump(2);
 }

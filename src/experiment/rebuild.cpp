@@ -44,7 +44,9 @@ Json summaryJson(const Evidence& evidence, const TwinMap& maps) {
             {"motions", evidence.motions.size()},
             {"world_map", mapJson(maps.world())},
             {"object_map", mapJson(maps.object())}};
-  if (source.method == MethodKind::kSmore) json["parameters"] = toJson(source.parameters);
+  if (takesParameters(source.method)) {
+    json["parameters"] = toJson(source.method, source.parameters);
+  }
   return json;
 }
 

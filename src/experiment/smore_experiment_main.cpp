@@ -54,7 +54,7 @@ po::options_description optionsFor(Arguments* arguments) {
   add("method", new smore::ChoiceOption(&arguments->method, smore::methodNames()),
       "how to map and plan");
   add("parameters", po::value(&arguments->method_parameters)->value_name("FILE"),
-      "file (YAML) that changes parameters of the method smore");
+      "file (YAML) that changes parameters of the method");
   add("trials", new smore::NumberOption<int>(&parameters.trials, 1, kMany), "number of trials");
   add("seed", new smore::NumberOption<std::uint64_t>(&parameters.seed, 0, UINT64_MAX),
       "seed of the first trial");
@@ -150,8 +150,8 @@ void checkTouches(const Arguments& arguments) {
 
 int run(Arguments arguments) {
   arguments.parameters.method = smore::methodKind(arguments.method);
-  if (!arguments.method_parameters.empty() && arguments.method != "smore") {
-    throw smore::InputError("--parameters: only the method smore takes them");
+  if (!arguments.method_parameters.empty()) {
+    smore::checkTakesParameters(arguments.parameters.method);
   }
   checkTouches(arguments);
   std::signal(SIGINT, onInterrupt);

@@ -59,7 +59,7 @@ int run(const Arguments& arguments) {
   const smore::Json json{{"program", std::string("smore ") + smore::programVersion()},
                          {"quick", arguments.quick},
                          {"files", arguments.evidence},
-                         {"parameters", smore::toJson(parameters)},
+                         {"parameters", smore::toJson(smore::MethodKind::kSmore, parameters)},
                          {"groups", smore::scoreReport(trials)}};
   if (arguments.output.empty()) {
     std::cout << json.dump(2) << std::endl;

@@ -87,7 +87,7 @@ class EvidenceReader {
     source.seed = record.count("seed");
     if (parameters_) {
       source.parameters = *parameters_;
-    } else if (source.method == MethodKind::kSmore) {
+    } else if (source.method == MethodKind::kSmore || record.has("parameters")) {
       (void)record.object("parameters");
       source.parameters = readMethodParameters(YAML::Load(record.raw("parameters").dump()),
                                                evidence_.file + ": parameters");

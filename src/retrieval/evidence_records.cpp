@@ -49,7 +49,9 @@ Json headerRecord() {
 
 Json methodRecord(const EvidenceSource& source) {
   Json record{{"record", "method"}, {"method", methodName(source.method)}, {"seed", source.seed}};
-  if (source.method == MethodKind::kSmore) record["parameters"] = toJson(source.parameters);
+  if (takesParameters(source.method)) {
+    record["parameters"] = toJson(source.method, source.parameters);
+  }
   return record;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/retrieval/method.h"
 
-#include <array>
 #include <utility>
 
 #include "smore/common/result.h"
@@ -19,9 +18,6 @@
 namespace smore {
 namespace {
 
-constexpr std::array kMethodKinds = {MethodKind::kPaper, MethodKind::kCspace, MethodKind::kSmore,
-                                     MethodKind::kBlocked, MethodKind::kChs};
-
 // Planners count their calls up from their seed: trials whose seeds are neighbours must not share
 // random numbers. No trial makes so many plans.
 std::uint32_t plannerSeed(std::uint64_t seed) {
@@ -29,8 +25,8 @@ std::uint32_t plannerSeed(std::uint64_t seed) {
   return static_cast<std::uint32_t>(seed * kMorePlansThanAnyTrial);
 }
 
-std::unique_ptr<TwinMap> makeSequentialBelief(const Scenario& scenario) {
-  SequentialBeliefParameters parameters;
+std::unique_ptr<TwinMap> makeSequentialBelief(const Scenario& scenario,
+                                              SequentialBeliefParameters parameters = {}) {
   parameters.voxel_size = scenario.voxel_size;
   return std::make_unique<SequentialBelief>(parameters);
 }
@@ -54,11 +50,12 @@ PathPlannerParameters pathParameters(const Scenario& scenario) {
   return parameters;
 }
 
-Method makePaper(const Scenario& scenario, std::uint64_t seed) {
+Method makePaper(const Scenario& scenario, std::uint64_t seed, const PaperParameters& told) {
   Method method;
-  method.maps = makeSequentialBelief(scenario);
+  method.maps = makeSequentialBelief(scenario, told.belief);
   MapPlannerParameters parameters;
   parameters.path = pathParameters(scenario);
+  parameters.path.step *= told.step_in_voxels;
   // As the paper has it: RRT in the plane, RRT-Connect in space (its figure 8).
   if (scenario.motion == Motion::kSpatial) {
     parameters.path.algorithm = PlannerAlgorithm::kRrtConnect;
@@ -126,38 +123,6 @@ Method makeSmore(const Scenario& scenario, std::uint64_t seed, const MethodParam
 
 }  // namespace
 
-MethodKind methodKind(const std::string& name) {
-  std::string names;
-  for (const MethodKind kind : kMethodKinds) {
-    if (methodName(kind) == name) return kind;
-    names += (names.empty() ? "" : ", ") + methodName(kind);
-  }
-  throw InputError("unknown method '" + name + "'; use one of " + names);
-}
-
-std::vector<std::string> methodNames() {
-  std::vector<std::string> names;
-  names.reserve(kMethodKinds.size());
-  for (const MethodKind kind : kMethodKinds) names.push_back(methodName(kind));
-  return names;
-}
-
-std::string methodName(MethodKind kind) {
-  switch (kind) {
-    case MethodKind::kPaper:
-      return "paper";
-    case MethodKind::kCspace:
-      return "cspace";
-    case MethodKind::kSmore:
-      return "smore";
-    case MethodKind::kBlocked:
-      return "blocked";
-    case MethodKind::kChs:
-      return "chs";
-  }
-  return "unknown";
-}
-
 std::unique_ptr<TouchPlanner> makeInformedTouches(const Method& method, const Scenario& scenario,
                                                   std::uint64_t seed) {
   return std::make_unique<InformedTouches>(dynamic_cast<const JointBelief&>(*method.maps),
@@ -178,11 +143,10 @@ void checkPriors(MethodKind kind, const Priors& priors) {
 }
 
 std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
-                                     const JointBeliefParameters& parameters,
-                                     const Priors& priors) {
+                                     const MethodParameters& parameters, const Priors& priors) {
   checkPriors(kind, priors);
-  if (kind == MethodKind::kSmore) return makeJointBelief(scenario, seed, parameters, priors);
-  return makeSequentialBelief(scenario);
+  if (kind == MethodKind::kSmore) return makeJointBelief(scenario, seed, parameters.belief, priors);
+  return makeSequentialBelief(scenario, parameters.paper.belief);
 }
 
 Method makeMethod(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
@@ -190,7 +154,7 @@ Method makeMethod(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
   checkPriors(kind, priors);
   switch (kind) {
     case MethodKind::kPaper:
-      return makePaper(scenario, seed);
+      return makePaper(scenario, seed, parameters.paper);
     case MethodKind::kCspace:
       return makeCspace(scenario, seed);
     case MethodKind::kSmore:

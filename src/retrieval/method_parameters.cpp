@@ -16,6 +16,8 @@ constexpr Range kUnit{0.0, 10.0};       // of length [m]; 0: it is inferred
 constexpr Range kAngle{1e-4, 3.0};      // [rad]
 constexpr Range kWeight{0.01, 1e3};     // odds
 constexpr Range kStrength{0.0, 100.0};  // 0: off
+constexpr Range kMetres{1e-3, 1e3};
+constexpr Range kVoxels{0.1, 100.0};
 constexpr Range kShare{1e-6, 0.999};
 constexpr Range kSteps{1, 1000};
 constexpr Range kSweeps{0, 1000};
@@ -27,7 +29,8 @@ constexpr Range kSeconds{1e-3, 1e6};  // of wall time
 ParameterSection beliefSection(JointBeliefParameters* belief) {
   FeatureParameters& feature = belief->feature;
   DistributionParameters& distribution = belief->distribution;
-  return {"belief",
+  return {MethodKind::kSmore,
+          "belief",
           {{"radius", &feature.radius, kLength},
            {"tolerance", &feature.tolerance, kExtent},
            {"reach", &feature.reach, kLength},
@@ -54,7 +57,8 @@ ParameterSection beliefSection(JointBeliefParameters* belief) {
 }
 
 ParameterSection plannerSection(RiskPlannerParameters* planner) {
-  return {"planner",
+  return {MethodKind::kSmore,
+          "planner",
           {{"iterations", &planner->iterations, kCount},
            {"paths", &planner->paths, kCount},
            {"improvements", &planner->improvements, kTries},
@@ -67,6 +71,15 @@ ParameterSection plannerSection(RiskPlannerParameters* planner) {
            {"lever", &planner->lever, kLength},
            {"touch_cost", &planner->objective.touch_cost, kLength},
            {"give", &planner->objective.give, kLength}}};
+}
+
+ParameterSection paperSection(PaperParameters* paper) {
+  return {MethodKind::kPaper,
+          "paper",
+          {{"line_half_length", &paper->belief.line_half_length, kMetres},
+           {"free_distance", &paper->belief.free_distance, kMetres},
+           {"free_angle", &paper->belief.free_angle, kAngle},
+           {"step_in_voxels", &paper->step_in_voxels, kVoxels}}};
 }
 
 void read(const ParameterField& field, ParameterReader* reader) {
@@ -94,7 +107,8 @@ void checkTogether(const JointBeliefParameters& belief, ParameterReader* reader)
 }  // namespace
 
 std::vector<ParameterSection> parameterSections(MethodParameters* parameters) {
-  return {beliefSection(&parameters->belief), plannerSection(&parameters->planner)};
+  return {beliefSection(&parameters->belief), plannerSection(&parameters->planner),
+          paperSection(&parameters->paper)};
 }
 
 MethodParameters readMethodParameters(const YAML::Node& mapping, const std::string& source,
@@ -116,9 +130,18 @@ MethodParameters loadMethodParameters(const std::string& file, const MethodParam
   return readMethodParameters(loadYaml(file), file, defaults);
 }
 
-Json toJson(MethodParameters parameters) {
+bool takesParameters(MethodKind method) { return !toJson(method, {}).empty(); }
+
+void checkTakesParameters(MethodKind method) {
+  if (takesParameters(method)) return;
+  throw InputError("the method " + methodName(method) +
+                   " has no parameters; leave them out, or use smore or paper");
+}
+
+Json toJson(MethodKind method, MethodParameters parameters) {
   Json json = Json::object();
   for (const ParameterSection& section : parameterSections(&parameters)) {
+    if (section.method != method) continue;
     Json& values = json[section.name] = Json::object();
     for (const ParameterField& field : section.fields) {
       std::visit([&](const auto* value) { values[field.key] = *value; }, field.value);

@@ -12,7 +12,7 @@ namespace smore {
 /// What is taken instead of what a bag says, or where it does not say it.
 struct BagChoices {
   std::optional<std::string> scenario;         ///< name or path of a scenario or task
-  std::optional<MethodParameters> parameters;  ///< of the method smore
+  std::optional<MethodParameters> parameters;  ///< of the method
 };
 
 /// The evidence of a bag, and why its maps may not be those of the running system.

@@ -20,8 +20,7 @@ std::unique_ptr<MapKeeper> startKeeper(const MappingParameters& parameters,
   const auto earlier = earlierEvidence(parameters);
   auto keeper = std::make_unique<MapKeeper>(
       [source](const Priors& priors) {
-        return makeTwinMap(source.method, source.task, source.seed, source.parameters.belief,
-                           priors);
+        return makeTwinMap(source.method, source.task, source.seed, source.parameters, priors);
       },
       spacingFor(source.task), makeJournal(parameters, source), source.priors);
   if (earlier) ROS_INFO_STREAM(files.loadFrom(*earlier, keeper.get()));

@@ -17,7 +17,7 @@ constexpr Range kLineHalfLengths{0.01, 100.0};  // [m]
 struct MappingParameters {
   FrameNames frames;
   MethodKind method = MethodKind::kSmore;
-  MethodParameters method_parameters;  ///< of the method smore
+  MethodParameters method_parameters;  ///< of the method
   int seed = 1;
   double publish_period = 0.5;            ///< wall time [s]
   double display_min_probability = 0.3;   ///< of the cells shown, in (0, 1]

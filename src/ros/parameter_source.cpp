@@ -96,10 +96,8 @@ MethodParameters readMethodChanges(ParameterReader* reader, MethodKind method,
   if (!reader->has("parameters")) return defaults;
   std::string file;
   reader->text("parameters", &file);
-  if (method != MethodKind::kSmore) {
-    reader->error("parameters", "only the method smore takes them; leave it out or use smore");
-  }
   try {
+    checkTakesParameters(method);
     return loadMethodParameters(file, defaults);
   } catch (const InputError& error) {
     reader->error("parameters", error.what());

@@ -26,7 +26,7 @@ struct PlannerNodeParameters {
   MethodKind method = MethodKind::kSmore;
   int seed = 1;
   double maps_timeout = 30.0;          ///< wall time to wait for maps that are new enough [s]
-  MethodParameters method_parameters;  ///< of the method smore
+  MethodParameters method_parameters;  ///< of the method
 };
 
 PlannerNodeParameters readParameters(ParameterReader* reader) {

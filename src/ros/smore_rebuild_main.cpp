@@ -38,7 +38,7 @@ po::options_description optionsFor(Arguments* arguments) {
   add("method", new smore::ChoiceOption(&arguments->method, smore::methodNames()),
       "instead of the recorded one");
   add("parameters", po::value(&arguments->method_parameters)->value_name("FILE"),
-      "file (YAML) with parameters of the method smore instead of the recorded ones");
+      "file (YAML) with parameters of the method instead of the recorded ones");
   add("voxel-size", new smore::NumberOption<double>(&arguments->voxel_size, 1e-3, 1.0),
       "of the maps [m], instead of the recorded");
   add("output", po::value(&arguments->output)->value_name("DIRECTORY")->required(),
@@ -81,8 +81,8 @@ int run(const Arguments& arguments) {
   smore::RebuildChanges changes;
   if (!arguments.method.empty()) changes.method = smore::methodKind(arguments.method);
   if (arguments.voxel_size > 0.0) changes.voxel_size = arguments.voxel_size;
-  if (parameters && changes.method.value_or(evidence.source.method) != smore::MethodKind::kSmore) {
-    throw smore::InputError("--parameters: only the method smore takes them");
+  if (parameters) {
+    smore::checkTakesParameters(changes.method.value_or(evidence.source.method));
   }
   const std::string problem = smore::problemOfDirectory(arguments.output);
   if (!problem.empty()) {

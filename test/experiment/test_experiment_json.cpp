@@ -58,7 +58,7 @@ TEST(ToJson, recordsTheParametersOfTheMethod) {
   const auto smore = nlohmann::json::parse(toJson(Scenario{}, parameters, {}));
   EXPECT_EQ(smore["parameters"]["belief"]["radius"], 0.0125);
   EXPECT_EQ(smore["parameters"]["planner"]["paths"], RiskPlannerParameters{}.paths);
-  parameters.method = MethodKind::kPaper;
+  parameters.method = MethodKind::kCspace;
   EXPECT_FALSE(nlohmann::json::parse(toJson(Scenario{}, parameters, {})).contains("parameters"));
 }
 

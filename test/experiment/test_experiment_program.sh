@@ -42,7 +42,7 @@ expect 2 "object, environment: missing; without shapes it is a task" --scenario 
 echo 'belief: {radios: 0.02}' >"$directory/parameters.yaml"
 echo 'belief: {}' >"$directory/no_parameters.yaml"
 expect 2 "belief.radios: unknown key" --scenario "$reference" --parameters "$directory/parameters.yaml"
-expect 2 "only the method smore" --scenario "$reference" --method paper \
+expect 2 "the method cspace has no parameters" --scenario "$reference" --method cspace \
   --parameters "$directory/parameters.yaml"
 printf 'motions:\n- poses: [{position: [9, 0, 0]}]\n- {poses: []}\n' >"$directory/touches.yaml"
 expect 2 "is outside of the workspace" --scenario chair --touch-poses "$directory/touches.yaml"
@@ -70,7 +70,7 @@ expect 2 "--method" --evidence "$evidence" --output "$directory/again" --method 
 expect 2 "--voxel-size" --evidence "$evidence" --output "$directory/again" --voxel-size -1
 expect 2 "/nowhere: cannot be read" --evidence /nowhere --output "$directory/again"
 expect 2 "not a record" --evidence "$reference" --output "$directory/again"
-expect 2 "only the method smore" --evidence "$evidence" --output "$directory/again" \
+expect 2 "the method cspace has no parameters" --evidence "$evidence" --output "$directory/again" --method cspace \
   --parameters "$directory/no_parameters.yaml"
 expect 2 "belief.radios: unknown key" --evidence "$evidence" --output "$directory/again" \
   --parameters "$directory/parameters.yaml"

@@ -17,8 +17,8 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 from experiments import (  # noqa: E402
-    animation, calibration, figure3, figure4, figure5, figure6, figure7, figure8, figure9, figure10, generality,
-    learning, lines_through_a_voxel, methods, rivals, sensitivity, sweep, trials,
+    animation, calibration, choices, figure3, figure4, figure5, figure6, figure7, figure8, figure9, figure10,
+    generality, learning, lines_through_a_voxel, methods, rivals, sensitivity, sweep, trials,
 )
 from scene_geometry import rotation_of  # noqa: E402
 from experiments.recording import Recording, moments  # noqa: E402
@@ -273,7 +273,7 @@ class ExperimentsTest(unittest.TestCase):
         scene = self.folder / "scenes/planar_1001.yaml"
         scene.parent.mkdir()
         figures_of_paper = (figure3, figure4, figure5, figure6, figure7, figure8, figure9, figure10)
-        for experiment in (*figures_of_paper, rivals, calibration, sensitivity, generality):
+        for experiment in (*figures_of_paper, rivals, calibration, sensitivity, choices, generality):
             if experiment is generality:
                 drawn = {"object": "star", "obstacles": "pegs", "scale": 2.5, "rejected": {"no way out was found": 2}}
                 names = ("planar_1001", "spatial_1001")

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "smore/common/result.h"
 #include "smore/retrieval/method_parameters.h"
@@ -40,6 +41,22 @@ TEST_F(MethodParametersFile, ChangesWhatItNamesAndKeepsTheRest) {
   EXPECT_EQ(parameters.planner.iterations, 10);
   EXPECT_EQ(parameters.belief.feature.decay, FeatureParameters{}.decay);
   EXPECT_EQ(parameters.planner.paths, RiskPlannerParameters{}.paths);
+}
+
+TEST_F(MethodParametersFile, HasASectionOfTheMethodPaper) {
+  const auto parameters = load("paper: {free_distance: 0.01, step_in_voxels: 2}");
+  EXPECT_EQ(parameters.paper.belief.free_distance, 0.01);
+  EXPECT_EQ(parameters.paper.step_in_voxels, 2.0);
+  EXPECT_EQ(parameters.paper.belief.free_angle, SequentialBeliefParameters{}.free_angle);
+}
+
+TEST_F(MethodParametersFile, AreRecordedOfTheirMethodAlone) {
+  const Json of_paper = toJson(MethodKind::kPaper, {});
+  EXPECT_EQ(of_paper.size(), 1U);
+  EXPECT_EQ(of_paper.at("paper").at("free_distance"), 0.03);
+  EXPECT_FALSE(toJson(MethodKind::kSmore, {}).contains("paper"));
+  EXPECT_FALSE(takesParameters(MethodKind::kCspace));
+  EXPECT_THROW(checkTakesParameters(MethodKind::kCspace), InputError);
 }
 
 TEST_F(MethodParametersFile, ChangesTheDefaultsOfTheCaller) {

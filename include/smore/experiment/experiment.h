@@ -17,7 +17,7 @@ namespace smore {
 
 struct ExperimentParameters {
   MethodKind method = MethodKind::kSmore;
-  MethodParameters method_parameters;  ///< of the method smore
+  MethodParameters method_parameters;  ///< of the method
   int trials = 1;                      ///< at least 1
   std::uint64_t seed = 1;              ///< trial i (from 1) uses seed + i - 1
   int jobs = 1;  ///< trials at a time, at least 1; the results do not depend on it

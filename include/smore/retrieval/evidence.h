@@ -21,7 +21,7 @@ struct EvidenceSource {
   /// What a method may know of the scenario: no shapes, no perturbation, no bias of the sensor.
   Scenario task;
   MethodKind method = MethodKind::kSmore;
-  MethodParameters parameters;  ///< of the method smore
+  MethodParameters parameters;  ///< of the method
   std::uint64_t seed = 1;
   Priors priors;  ///< what is known beforehand
 };

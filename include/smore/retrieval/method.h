@@ -3,32 +3,16 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "smore/mapping/prior.h"
 #include "smore/mapping/twin_map.h"
 #include "smore/planning/planner.h"
+#include "smore/retrieval/method_kind.h"
 #include "smore/retrieval/method_parameters.h"
 #include "smore/retrieval/touch_planner.h"
 #include "smore/scenario/scenario.h"
 
 namespace smore {
-
-enum class MethodKind {
-  kPaper,    ///< the laws in sequence; RRT (space: RRT-Connect) around voxels with P >= 0.5
-  kCspace,   ///< the paper's baseline: RRT around the poses of known contacts; no use of the maps
-  kSmore,    ///< the best that this project can do
-  kBlocked,  ///< probabilities of configurations from blocked movements (Pajarinen et al., 2020)
-  kChs,      ///< told the object's shape: collision hypothesis sets (Saund and Berenson, 2018)
-};
-
-/// Kind of a name, one of methodNames(); InputError for any other.
-MethodKind methodKind(const std::string& name);
-std::string methodName(MethodKind kind);
-
-/// Names of all kinds, in the order of MethodKind.
-std::vector<std::string> methodNames();
 
 /// What learns and what plans, put together for one method.
 struct Method {
@@ -54,10 +38,10 @@ std::unique_ptr<TouchPlanner> makeInformedTouches(const Method& method, const Sc
 void checkPriors(MethodKind kind, const Priors& priors);
 
 /// The twin map of a method. What it may know of the scenario: voxel size, workspace, motion, and
-/// the sensor's declared noise; never the shapes, but by `priors` (checkPriors). Only smore uses
-/// `parameters`.
+/// the sensor's declared noise; never the shapes, but by `priors` (checkPriors). Of `parameters` it
+/// uses its own (takesParameters).
 std::unique_ptr<TwinMap> makeTwinMap(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
-                                     const JointBeliefParameters& parameters = {},
+                                     const MethodParameters& parameters = {},
                                      const Priors& priors = {});
 
 /// A whole method; `seed` makes its random choices repeatable. The rest as above.

@@ -8,15 +8,24 @@
 #include "smore/common/json.h"
 #include "smore/common/parameters.h"
 #include "smore/mapping/joint_belief.h"
+#include "smore/mapping/sequential_belief.h"
 #include "smore/planning/risk_planner.h"
+#include "smore/retrieval/method_kind.h"
 
 namespace smore {
 
-/// What the method smore may be told. What a scenario states (voxel size, plane of motion) and the
-/// seed are set by makeMethod.
+/// What the method paper may be told: where the publication is silent.
+struct PaperParameters {
+  SequentialBeliefParameters belief;
+  double step_in_voxels = 1.0;  ///< longest edge of the planner's tree [voxels], positive; as there
+};
+
+/// What the methods smore (belief, planner) and paper may be told. What a scenario states (voxel
+/// size, plane of motion) and the seed are set by makeMethod.
 struct MethodParameters {
   JointBeliefParameters belief;
   RiskPlannerParameters planner;
+  PaperParameters paper;
 };
 
 /// One parameter: its key, where its value lies, and its valid range.
@@ -26,8 +35,9 @@ struct ParameterField {
   Range range;
 };
 
-/// Fields that belong together in a file.
+/// Fields that belong together in a file, of one method.
 struct ParameterSection {
+  MethodKind method;
   std::string name;
   std::vector<ParameterField> fields;
 };
@@ -36,8 +46,8 @@ struct ParameterSection {
 /// and that results record (docs/experiments.md).
 std::vector<ParameterSection> parameterSections(MethodParameters* parameters);
 
-/// The defaults, changed by what a YAML file sets. InputError with all problems of the file:
-/// unknown keys, wrong types, values out of range.
+/// The defaults, changed by what a YAML file sets, which may have sections of several methods.
+/// InputError with all problems of the file: unknown keys, wrong types, values out of range.
 MethodParameters loadMethodParameters(const std::string& file,
                                       const MethodParameters& defaults = {});
 
@@ -45,7 +55,13 @@ MethodParameters loadMethodParameters(const std::string& file,
 MethodParameters readMethodParameters(const YAML::Node& mapping, const std::string& source,
                                       const MethodParameters& defaults = {});
 
-/// All parameters, in the form in which they are read.
-Json toJson(MethodParameters parameters);
+/// Whether a method has parameters.
+bool takesParameters(MethodKind method);
+
+/// InputError where a method has none.
+void checkTakesParameters(MethodKind method);
+
+/// All parameters of a method, in the form in which they are read.
+Json toJson(MethodKind method, MethodParameters parameters);
 
 }  // namespace smore

@@ -23,7 +23,7 @@ struct EvidencePart {
 /// The same belief as in a mapping node, made from the same evidence, with a planner on it.
 class MethodReplica {
  public:
-  /// `parameters`: of the method smore; those of the belief must be the mapping's.
+  /// `parameters`: of the method; those of the belief must be the mapping's.
   MethodReplica(MethodKind kind, const Scenario& scenario, std::uint64_t seed,
                 const MethodParameters& parameters = {});
 
