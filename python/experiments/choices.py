@@ -47,13 +47,13 @@ def trials(directory, quick):
     files = directory / "choices"
     files.mkdir(parents=True, exist_ok=True)
     asked = []
-    for choice, parameters, keys in CHOICES:
-        scene, told = (files / f"{file_name(choice)}{ending}.yaml" for ending in ("", "_parameters"))
-        scene.write_text(scene_with(keys))
-        values = ", ".join(f"{key}: {value}" for key, value in parameters.items())
-        told.write_text(f"paper: {{{values}}}\n")
-        options = ("--parameters", str(told), "--max-collisions", str(QUICK_LIMIT if quick else LIMIT))
-        for seed in reported_seeds(QUICK_COUNT if quick else COUNT):
+    for seed in reported_seeds(QUICK_COUNT if quick else COUNT):
+        for choice, parameters, keys in CHOICES:
+            scene, told = (files / f"{file_name(choice)}{ending}.yaml" for ending in ("", "_parameters"))
+            scene.write_text(scene_with(keys))
+            values = ", ".join(f"{key}: {value}" for key, value in parameters.items())
+            told.write_text(f"paper: {{{values}}}\n")
+            options = ("--parameters", str(told), "--max-collisions", str(QUICK_LIMIT if quick else LIMIT))
             asked.append(Trial(f"{choice}/{seed}", str(scene), seed, "paper", options))
     return asked
 
