@@ -6,9 +6,7 @@ import shutil
 import subprocess
 import tempfile
 
-HERE = pathlib.Path(__file__).resolve().parent
-# On PATH, else where the source tree is built, else beside an installed share/smore/python.
-BUILT = (HERE.parent / "build/devel/lib/smore", HERE.parents[2] / "lib/smore")
+from program_folders import PROGRAM_FOLDERS
 
 
 class SceneFileError(Exception):
@@ -16,12 +14,15 @@ class SceneFileError(Exception):
 
 
 def find_program(name="smore_experiment"):
-    """Path of one of the package's programs."""
-    candidates = [shutil.which(name), *(shutil.which(name, path=str(folder)) for folder in BUILT)]
+    """Path of one of the package's programs: on PATH, else in one of its folders."""
+    candidates = [shutil.which(name), *(shutil.which(name, path=str(folder)) for folder in PROGRAM_FOLDERS)]
     for candidate in candidates:
         if candidate:
             return candidate
-    raise SceneFileError(f"no program {name} on PATH or in {BUILT[0]}; run scripts/build first")
+    raise SceneFileError(
+        f"no program {name} on PATH or in {PROGRAM_FOLDERS[0]}; run scripts/build, or source the setup.bash of the "
+        "catkin workspace, first"
+    )
 
 
 def read_scene(name_or_path):

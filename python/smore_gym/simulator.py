@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Finds the compiled module smore_simulator where it is built, or beside an installed share/smore/python."""
+"""Finds the compiled module smore_simulator where the package's programs are."""
 import pathlib
 import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-BUILT = (HERE.parents[1] / "build/devel/lib/smore", HERE.parents[3] / "lib/smore")
-sys.path += [str(folder) for folder in BUILT if folder.is_dir()]
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
+from program_folders import PROGRAM_FOLDERS  # noqa: E402
+
+sys.path += [str(folder) for folder in PROGRAM_FOLDERS if folder.is_dir()]
 try:
     import smore_simulator
 except ImportError as problem:
     raise ImportError(
-        f"no module smore_simulator for this Python in {BUILT[0]} or {BUILT[1]} ({problem}); install pybind11-dev, run "
-        "scripts/build, and use the Python that it was built for, /usr/bin/python3"
+        f"no module smore_simulator for this Python in {PROGRAM_FOLDERS[0]} ({problem}); install pybind11-dev, run "
+        "scripts/build or source the setup.bash of the catkin workspace, and use the Python that it was built for, "
+        "/usr/bin/python3"
     ) from problem
 
 InputError = smore_simulator.InputError

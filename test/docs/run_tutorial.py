@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the commands of a tutorial as a user would type them, one block after another.
 
-    run_tutorial.py BUILD_FOLDER PAGE.md
+    run_tutorial.py DEVEL_FOLDER PAGE.md
 
 A block ```shell is typed into one terminal and must succeed; ```shell background into another, where it goes on to the
 end of the page, once all nodes of its roslaunch are there. A block with a file's name after its language is that
@@ -26,20 +26,21 @@ COMMAND_DEADLINE = 200.0  # of a block [s]
 NODES_DEADLINE = 60.0  # of a launch, until all its nodes are there [s]
 
 
-def scratch_root(folder, build):
+def scratch_root(folder, devel):
     for entry in ROOT.iterdir():
         if entry.name not in ("build", "results") and not entry.name.startswith("."):
             (folder / entry.name).symlink_to(entry)
-    (folder / "build").symlink_to(build)
+    (folder / "build").mkdir()
+    (folder / "build/devel").symlink_to(devel)
     (folder / "results").mkdir()
 
 
-def environment(build):
+def environment(devel):
     """That of a terminal after `source build/devel/setup.bash`, with a ROS master of its own."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
-    said = subprocess.run(["bash", "-c", f"source {build}/devel/setup.bash && env -0"], capture_output=True, check=True)
+    said = subprocess.run(["bash", "-c", f"source {devel}/setup.bash && env -0"], capture_output=True, check=True)
     variables = dict(entry.split("=", 1) for entry in said.stdout.decode().split("\0") if "=" in entry)
     return {**variables, "ROS_MASTER_URI": f"http://localhost:{port}", "ROS_HOSTNAME": "localhost"}
 
@@ -89,12 +90,12 @@ def run(page, folder, variables, launches):
 
 
 def main():
-    build, page = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+    devel, page = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
     launches = []
     with tempfile.TemporaryDirectory() as folder:
-        scratch_root(pathlib.Path(folder), build)
+        scratch_root(pathlib.Path(folder), devel)
         try:
-            run(page, pathlib.Path(folder), environment(build), launches)
+            run(page, pathlib.Path(folder), environment(devel), launches)
         finally:
             for process in reversed(launches):
                 end(process)
