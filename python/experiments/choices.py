@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the choices where the paper is silent do to its method's collisions on its scene, one at a time."""
-import re
 import statistics
 
 import matplotlib
@@ -9,14 +8,13 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from plot_results import COLORS
 
-from experiments import methods
-from experiments.trials import ROOT, Trial, reported_seeds
+from experiments import figure7, methods
+from experiments.trials import Trial, reported_seeds, scene_with
 
 WHAT = "what the choices where the paper is silent do to its method's collisions on its scene, one at a time"
 SCENE = "s_shape_two_pegs"
 COUNT, QUICK_COUNT = 10, 1
 LIMIT, QUICK_LIMIT = 600, 40  # of collisions
-PAPER = 96  # its mean
 # A name, the parameters of the method (docs/laws.md), and keys of the scene.
 CHOICES = (
     ("as it is", {}, {}),
@@ -35,27 +33,21 @@ def file_name(choice):
     return choice.replace(" ", "_").replace(".", "")
 
 
-def scene_with(keys):
-    """The scene with other values of keys."""
-    text = (ROOT / f"config/scenarios/{SCENE}.yaml").read_text()
-    for key, value in keys.items():
-        text = re.sub(rf"^{key}:.*\n", "", text, flags=re.MULTILINE).rstrip("\n") + f"\n{key}: {value}\n"
-    return text
-
-
 def trials(directory, quick):
+    """Seed after seed, so that what is finished of an interrupted run compares all choices."""
     files = directory / "choices"
     files.mkdir(parents=True, exist_ok=True)
+    limit = str(QUICK_LIMIT if quick else LIMIT)
     asked = []
-    for seed in reported_seeds(QUICK_COUNT if quick else COUNT):
-        for choice, parameters, keys in CHOICES:
-            scene, told = (files / f"{file_name(choice)}{ending}.yaml" for ending in ("", "_parameters"))
-            scene.write_text(scene_with(keys))
-            values = ", ".join(f"{key}: {value}" for key, value in parameters.items())
-            told.write_text(f"paper: {{{values}}}\n")
-            options = ("--parameters", str(told), "--max-collisions", str(QUICK_LIMIT if quick else LIMIT))
+    for choice, parameters, keys in CHOICES:
+        scene, told = (files / f"{file_name(choice)}{ending}.yaml" for ending in ("", "_parameters"))
+        scene.write_text(scene_with(SCENE, keys))
+        values = ", ".join(f"{key}: {value}" for key, value in parameters.items())
+        told.write_text(f"paper: {{{values}}}\n")
+        options = ("--parameters", str(told), "--max-collisions", limit)
+        for seed in reported_seeds(QUICK_COUNT if quick else COUNT):
             asked.append(Trial(f"{choice}/{seed}", str(scene), seed, "paper", options))
-    return asked
+    return sorted(asked, key=lambda trial: trial.seed)
 
 
 def draw(by_choice):
@@ -67,8 +59,9 @@ def draw(by_choice):
             shown = [result["collisions"] for result in results if result["success"] == reached]
             axes.scatter(shown, [line] * len(shown), s=14, marker=marker, color=COLORS["paper"], alpha=0.7)
         axes.scatter([statistics.median(counts)], [line], s=160, marker="|", color="black")
-    axes.axvline(PAPER, color="#c62828", linestyle="--", linewidth=1)
-    axes.annotate("publication", (PAPER, -0.6), (3, 0), textcoords="offset points", fontsize=7, color="#c62828")
+    published = figure7.PAPER["paper"]
+    axes.axvline(published, color="#c62828", linestyle="--", linewidth=1)
+    axes.annotate("publication", (published, -0.6), (3, 0), textcoords="offset points", fontsize=7, color="#c62828")
     axes.set_ylim(len(by_choice) - 0.5, -0.9)
     axes.set_yticks(range(len(by_choice)))
     axes.set_yticklabels(by_choice)

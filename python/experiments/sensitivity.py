@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What voxel size, contact threshold, friction and the sensor's errors do to collisions and maps (named and not
 investigated in the paper)."""
-import re
 import statistics
 
 import matplotlib
@@ -9,10 +8,10 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from experiments.trials import ROOT, Trial, reported_seeds
+from experiments.trials import Trial, reported_seeds, scene_with
 
 WHAT = "voxel size, contact threshold, friction, errors of lines and noise of the sensor against collisions and maps"
-BASE = ROOT / "config/scenarios/s_shape_perturbed.yaml"
+SCENE = "s_shape_perturbed"
 COUNT, QUICK_COUNT = 10, 1
 MOST_COLLISIONS = 60
 # Key of a scenario, the form of its value, the values, and the axis' label.
@@ -26,12 +25,6 @@ SWEEPS = (
 COLOR = "#1a9641"
 
 
-def scenario_with(key, value):
-    """The base scene with another value of a key."""
-    text = re.sub(rf"^{key}:.*\n", "", BASE.read_text(), flags=re.MULTILINE)
-    return text + f"{key}: {value}\n"
-
-
 def trials(directory, quick):
     scenes = directory / "scenes"
     scenes.mkdir(parents=True, exist_ok=True)
@@ -40,7 +33,7 @@ def trials(directory, quick):
     for key, form, values, _ in SWEEPS:
         for value in values:
             scene = scenes / f"{key}_{value}.yaml"
-            scene.write_text(scenario_with(key, form.format(value)))
+            scene.write_text(scene_with(SCENE, {key: form.format(value)}))
             for seed in reported_seeds(QUICK_COUNT if quick else COUNT):
                 asked.append(Trial(f"{key}={value}/{seed}", str(scene), seed, options=options))
     return asked

@@ -49,6 +49,14 @@ def recorded(name, scenario, seed, method, directory, options=()):
     return Trial(name, scenario, seed, method, ("--record", str(directory / "evidence" / name), *options))
 
 
+def scene_with(scene, values):
+    """The text of a scene of config/scenarios with other values of these keys."""
+    text = (ROOT / f"config/scenarios/{scene}.yaml").read_text()
+    for key, value in values.items():
+        text = re.sub(rf"^{key}:.*\n", "", text, flags=re.MULTILINE).rstrip("\n") + f"\n{key}: {value}\n"
+    return text
+
+
 def unperturbed(scene, directory):
     """The path of a file with a scene of config/scenarios as it stands there, written to `directory`: a trial's own
     shift of it is not in what pictures know of a scene."""

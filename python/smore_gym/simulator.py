@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Finds the compiled module smore_simulator where the package's programs are."""
-import pathlib
 import sys
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
-from program_folders import PROGRAM_FOLDERS  # noqa: E402
+from program_folders import PROGRAM_FOLDERS
 
 sys.path += [str(folder) for folder in PROGRAM_FOLDERS if folder.is_dir()]
 try:

@@ -88,6 +88,7 @@ class EvidenceReader {
     if (parameters_) {
       source.parameters = *parameters_;
     } else if (source.method == MethodKind::kSmore || record.has("parameters")) {
+      // Files of the method paper from before it had parameters lack them.
       (void)record.object("parameters");
       source.parameters = readMethodParameters(YAML::Load(record.raw("parameters").dump()),
                                                evidence_.file + ": parameters");

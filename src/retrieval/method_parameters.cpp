@@ -16,8 +16,8 @@ constexpr Range kUnit{0.0, 10.0};       // of length [m]; 0: it is inferred
 constexpr Range kAngle{1e-4, 3.0};      // [rad]
 constexpr Range kWeight{0.01, 1e3};     // odds
 constexpr Range kStrength{0.0, 100.0};  // 0: off
-constexpr Range kMetres{1e-3, 1e3};
-constexpr Range kVoxels{0.1, 100.0};
+constexpr Range kMetres{1e-3, 1e3};     // [m]
+constexpr Range kVoxels{0.1, 100.0};    // [voxels]
 constexpr Range kShare{1e-6, 0.999};
 constexpr Range kSteps{1, 1000};
 constexpr Range kSweeps{0, 1000};

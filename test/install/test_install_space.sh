@@ -52,7 +52,7 @@ says "voxels of the world and" replay_run "$scratch/evidence/seed_1.evidence"
 
 if compgen -G "$build/devel/lib/smore/smore_simulator*.so" >/dev/null; then # where pybind11 is
   (cd "$prefix/share/smore/python/smore_gym" &&
-    /usr/bin/python3 -c 'import simulator; print(simulator.SteppedTrial("one_peg", 1).dimensions)') >"$scratch/said" 2>&1
+    PYTHONPATH=.. /usr/bin/python3 -c 'import simulator; print(simulator.SteppedTrial("one_peg", 1).dimensions)') >"$scratch/said" 2>&1
   [ "$(cat "$scratch/said")" = 3 ] || fail "the installed simulator does not run in Python: $(cat "$scratch/said")"
 fi
 

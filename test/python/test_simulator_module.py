@@ -17,7 +17,7 @@ import unittest
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "python/smore_gym"))
+sys.path[:0] = [str(ROOT / "python"), str(ROOT / "python/smore_gym")]
 from map_image import GOAL, ORIGIN, UNKNOWN, WORLD_COLORS, map_image  # noqa: E402
 from simulator import LARGEST_SHIFT, LARGEST_TURN, InputError, SteppedTrial  # noqa: E402
 

@@ -6,7 +6,6 @@ import math
 import actionlib
 
 from action_clients import has_ended
-
 from smore.msg import RetrieveAction, RetrieveGoal
 
 
