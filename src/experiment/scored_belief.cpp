@@ -23,7 +23,6 @@ std::vector<double> ScoredBelief::survival(const std::vector<Path>& legs) const 
   const FreeCells& free = risk.worlds().free;
   const FreeSpaceParameters& cell = free.parameters();
   const double known = std::max(1.0, static_cast<double>(free.count()));
-  const double worlds = risk.worlds().sampled.effectiveCount();
   HypothesisMask touched = 0;
   double fresh = 0.0;
   std::vector<double> survival;
@@ -35,7 +34,7 @@ std::vector<double> ScoredBelief::survival(const std::vector<Path>& legs) const 
     }
     const double part = static_cast<double>(survival.size() + 1) / static_cast<double>(legs.size());
     const double share =
-        (worlds * risk.worlds().sampled.shareOf(touched) + 0.5 * part) / (worlds + 1.0);
+        (kHypotheses * SampledWorlds::shareOf(touched) + 0.5 * part) / (kHypotheses + 1.0);
     survival.push_back((1.0 - share) * known / (known + fresh));
   }
   return survival;
@@ -46,7 +45,7 @@ std::vector<WeighedPlace> ScoredBelief::placesOf(const ContactObservation& conta
   if (!contact.line) return places;
   for (const auto& place : belief_->placesOf(contact.T_world_object, *contact.line)) {
     const HypothesisMask world = HypothesisMask{1} << places.size();
-    places.push_back({place, belief_->worlds()->sampled.shareOf(world)});
+    places.push_back({place, SampledWorlds::shareOf(world)});
   }
   return places;
 }

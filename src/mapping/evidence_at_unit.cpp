@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "smore/mapping/surface_sizes.h"
-
 namespace smore {
+
 EvidenceAtUnit::EvidenceAtUnit(const JointBeliefParameters& parameters, const MapFrame& frame,
                                double unit)
     : unit_(unit),
@@ -74,16 +73,6 @@ ExplainedEvidence EvidenceAtUnit::explain(const DrawnEvidence& drawn,
     }
   }
   return result;
-}
-
-HypothesisWeights::Weights EvidenceAtUnit::weightsOf(
-    const std::vector<Explanation>& explanations) const {
-  HypothesisWeights::Weights weights{};
-  weights.fill(1.0);
-  if (frame_.planar()) return weights;
-  const ExtentParameters& extent = parameters_.extent;
-  return weightsBySize(contacts_, explanations, surfaceSizes(extent.shortest, extent.world_longest),
-                       parameters_.distribution.world);
 }
 
 void EvidenceAtUnit::tellPlaces(const Explanation& explanation, int m,

@@ -244,7 +244,6 @@ double JointBelief::meanUnit(const std::array<int, kUnits>& counts) const {
 SampledWorlds JointBelief::sampledWorlds(const std::array<int, kUnits>& counts, DrawnByUnit* drawn,
                                          TouchedPlaces* touched) const {
   std::vector<WorldsAtUnit> parts;
-  HypothesisWeights::Weights weights{};
   int place = 0;
   for (int i = 0; i < kUnits; ++i) {
     if (counts[i] == 0) continue;
@@ -254,14 +253,12 @@ SampledWorlds JointBelief::sampledWorlds(const std::array<int, kUnits>& counts, 
     }
     const EvidenceAtUnit& evidence = atUnit(i);
     const ExplainedEvidence explained = evidence.explain(drawnAt(i, drawn), members);
-    const HypothesisWeights::Weights likely = evidence.weightsOf(explained.explanations);
     for (const int m : members) {
-      weights[m] = likely[m];
       evidence.tellPlaces(explained.explanations[m], m, touched);
     }
     parts.push_back(worldsAt(evidence, explained, members));
   }
-  return SampledWorlds(std::move(parts), HypothesisWeights(weights));
+  return SampledWorlds(std::move(parts));
 }
 
 // Of the contacts that take part.

@@ -41,10 +41,10 @@ class MaskedVoxels {
     }
   }
 
-  void store(const SampledWorlds& worlds) {
+  void store() {
     for (std::size_t i = 0; i < masks_.size(); ++i) {
       const double share =
-          std::clamp(worlds.shareOf(masks_[i]), kLeastProbability, 1.0 - kLeastProbability);
+          std::clamp(SampledWorlds::shareOf(masks_[i]), kLeastProbability, 1.0 - kLeastProbability);
       grid_->setAt(i, static_cast<float>(share));
     }
   }
@@ -70,7 +70,7 @@ VoxelGrid marginalMap(const SampledWorlds& worlds, MapSide side, const Pose& T_g
     add(of_object ? part.object() : part.world(), part.radius());
     add(of_object ? part.knownObject() : part.knownWorld(), part.knownRadius());
   }
-  voxels.store(worlds);
+  voxels.store();
   return grid;
 }
 

@@ -9,7 +9,6 @@
 #include "smore/common/parallel_for.h"
 #include "smore/mapping/counter_random.h"
 #include "smore/mapping/joined_touches.h"
-#include "smore/mapping/surface_sizes.h"
 
 namespace smore {
 namespace {
@@ -22,6 +21,11 @@ constexpr double kSpatialStep = 0.8;
 // Points are merged and looked up on lattices that are fine against the balls.
 float latticeCell(const FeatureParameters& feature) {
   return static_cast<float>(feature.conflictDistance()) / 3.0F;
+}
+
+// Spread evenly over all orders of magnitude between the two.
+double sizeOf(int hypothesis, double shortest, double longest) {
+  return shortest * std::pow(longest / shortest, (hypothesis + 0.5) / kHypotheses);
 }
 
 // The object's size and the world's are drawn independently: a second order of the hypotheses.
@@ -129,8 +133,8 @@ std::vector<Eigen::Vector3f> SurfaceExtents::patches(MapSide side, int hypothesi
   SurfacePatch patch;
   patch.step =
       static_cast<float>((planar_ ? kPlanarStep : kSpatialStep) * feature_.conflictDistance());
-  patch.radius = static_cast<float>(surfaceSizes(
-      extent_.shortest, longestRadius(side))[on_object ? otherOrder(hypothesis) : hypothesis]);
+  patch.radius = static_cast<float>(sizeOf(on_object ? otherOrder(hypothesis) : hypothesis,
+                                           extent_.shortest, longestRadius(side)));
   std::vector<Eigen::Vector3f> result;
   for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
     const ContactHypotheses& contact = samples_.contacts[k];

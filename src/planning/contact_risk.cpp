@@ -15,9 +15,7 @@ constexpr double kCheckShare = 0.3;
 
 // Probability that one more world would touch: with Jeffreys' prior for a share, none in a number
 // of independent worlds is not yet never.
-double predictedShare(double share, double worlds) {
-  return (worlds * share + 0.5) / (worlds + 1.0);
-}
+double predictedShare(double share) { return (kHypotheses * share + 0.5) / (kHypotheses + 1.0); }
 
 // Where there is no matter, any will do.
 double checkDistance(const SampledWorlds& worlds) {
@@ -57,7 +55,7 @@ double ContactRisk::ofMotion(const Path& path) const {
   for (const Pose& pose : densify(path, cell.position_cell, cell.angle_cell)) {
     fresh += worlds_->free.knows(worlds_->frame.toMap(pose)) ? 0 : 1;
   }
-  const double touched = predictedShare(along(path), worlds_->sampled.effectiveCount());
+  const double touched = predictedShare(along(path));
   return 1.0 - (1.0 - touched) * noSurpriseIn(fresh);
 }
 
@@ -71,14 +69,14 @@ double ContactRisk::informationOf(const Path& path) const {
   for (const Pose& pose : densify(path, cell.position_cell, cell.angle_cell)) {
     const HypothesisMask first = touching(pose) & ~touched;
     touched |= first;
-    entropy += entropyTerm(no_surprise * worlds_->sampled.shareOf(first));
+    entropy += entropyTerm(no_surprise * SampledWorlds::shareOf(first));
     if (worlds_->free.knows(worlds_->frame.toMap(pose))) continue;
     const double before = no_surprise;
     no_surprise = noSurpriseIn(++fresh);
-    surprise += worlds_->sampled.shareOf(~touched) * (before - no_surprise);
+    surprise += SampledWorlds::shareOf(~touched) * (before - no_surprise);
   }
   entropy += entropyTerm(surprise) + surprise * std::log(std::max(1.0, patchesOfObject()));
-  return entropy + entropyTerm(no_surprise * worlds_->sampled.shareOf(~touched));
+  return entropy + entropyTerm(no_surprise * SampledWorlds::shareOf(~touched));
 }
 
 double ContactRisk::patchesOfObject() const {

@@ -46,7 +46,7 @@ void BeliefDisplay::onWish(const std_msgs::Int32& message) {
     wished_ = message.data;
   } else {
     ROS_WARN_STREAM("'" << wish_.getTopic() << "' says " << message.data
-                        << ": give the rank of a world, from 1 to " << kHypotheses
+                        << ": give the number of a world, from 1 to " << kHypotheses
                         << ", or 0 for none");
   }
 }

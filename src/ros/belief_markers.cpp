@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/ros/belief_markers.h"
 
-#include <algorithm>
 #include <array>
-#include <iomanip>
 #include <map>
+#include <string>
 #include <numeric>
-#include <sstream>
 #include <vector>
 
 #include "smore/ros/marker_parts.h"
@@ -20,16 +18,6 @@ using visualization_msgs::MarkerArray;
 constexpr double kLetterHeight = 0.5;  // in units of length
 
 HypothesisMask onlyWorld(int index) { return HypothesisMask{1} << index; }
-
-/// The index of the `rank`-th most likely world; of equally likely ones the first goes first.
-int worldOfRank(const SampledWorlds& sampled, int rank) {
-  std::array<double, kHypotheses> weight{};
-  for (int i = 0; i < kHypotheses; ++i) weight[i] = sampled.shareOf(onlyWorld(i));
-  std::array<int, kHypotheses> order{};
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return weight[a] > weight[b]; });
-  return order[rank - 1];
-}
 
 /// The places of one contact, each with the worlds that hold it to be there.
 std::map<std::array<double, 3>, HypothesisMask> placesOf(
@@ -88,12 +76,9 @@ std_msgs::ColorRGBA likelihoodColor(double probability) {
   return makeColor(0.941F * rest, 0.894F * rest, 0.259F * rest, 1.0F);
 }
 
-Marker label(int rank, double probability, double unit, const std::string& frame) {
+Marker label(int number, double unit, const std::string& frame) {
   Marker text = makeMarker(frame, "label", 0, Marker::TEXT_VIEW_FACING);
-  std::ostringstream words;
-  words << std::fixed << std::setprecision(3) << "world " << rank << " of " << kHypotheses
-        << ", probability " << probability;
-  text.text = words.str();
+  text.text = "world " + std::to_string(number) + " of " + std::to_string(kHypotheses);
   text.scale.z = kLetterHeight * unit;
   text.color = makeColor(1.0F, 1.0F, 1.0F, 1.0F);
   text.pose.position.z = 4.0 * text.scale.z;
@@ -112,7 +97,7 @@ MarkerArray placeMarkers(const Worlds& worlds, const std::string& frame) {
   for (const auto& [id, in_worlds] : worlds.touched) {
     for (const auto& [place, mask] : placesOf(in_worlds)) {
       marker.points.push_back(toPoint({place[0], place[1], place[2]}));
-      marker.colors.push_back(likelihoodColor(worlds.sampled.shareOf(mask)));
+      marker.colors.push_back(likelihoodColor(SampledWorlds::shareOf(mask)));
     }
   }
   if (marker.points.empty()) marker.action = Marker::DELETE;
@@ -120,18 +105,18 @@ MarkerArray placeMarkers(const Worlds& worlds, const std::string& frame) {
   return array;
 }
 
-MarkerArray sampledWorldMarkers(const Worlds& worlds, int rank, const FrameNames& frames) {
+MarkerArray sampledWorldMarkers(const Worlds& worlds, int number, const FrameNames& frames) {
   MarkerArray array;
   array.markers.push_back(makeMarker(frames.world, "label", 0, Marker::CUBE));
   array.markers.back().action = Marker::DELETEALL;
-  if (rank < 1 || rank > kHypotheses) return array;
-  const HypothesisMask world = onlyWorld(worldOfRank(worlds.sampled, rank));
+  if (number < 1 || number > kHypotheses) return array;
+  const HypothesisMask world = onlyWorld(number - 1);
   const Pose T_world_map = worlds.frame.T_map_world().inverse();
   for (const WorldsAtUnit& part : worlds.sampled.parts()) {
     WorldDrawing(part, world, &array).drawAll(frames, T_world_map);
   }
   if (array.markers.size() == 1) return array;
-  array.markers.push_back(label(rank, worlds.sampled.shareOf(world), worlds.unit, frames.object));
+  array.markers.push_back(label(number, worlds.unit, frames.object));
   return array;
 }
 

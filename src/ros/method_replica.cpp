@@ -83,7 +83,7 @@ std::vector<double> MethodReplica::risksAlong(const Path& path) const {
   HypothesisMask touched = risk.touching(path.front());
   for (size_t i = 0; i < path.size(); ++i) {
     if (i > 0) touched |= risk.touchingAlong({path[i - 1], path[i]});
-    risks[i] = risk.worlds().sampled.shareOf(touched);
+    risks[i] = SampledWorlds::shareOf(touched);
   }
   return risks;
 }

@@ -100,9 +100,9 @@ void RetrievalCommands::showFrom(double probability) {
   shown_.publish(message);
 }
 
-void RetrievalCommands::showWorld(int rank) {
+void RetrievalCommands::showWorld(int number) {
   std_msgs::Int32 message;
-  message.data = rank;
+  message.data = number;
   world_.publish(message);
 }
 

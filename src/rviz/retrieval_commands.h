@@ -61,8 +61,8 @@ class RetrievalCommands {
   /// Shows voxels of the maps from this probability on, in (0, 1].
   void showFrom(double probability);
 
-  /// Shows one of the sampled worlds, by its rank, from 1 for the most likely on; 0: none.
-  void showWorld(int rank);
+  /// Shows one of the sampled worlds, by its number, from 1 on; 0: none.
+  void showWorld(int number);
 
   bool running(const std::string& command) const { return runner_.running(command); }
   std::string answer() const { return runner_.answer(); }

@@ -176,15 +176,15 @@ QLayout* RetrievalWidget::makeWorldRow() {
   auto* world = new QSlider(Qt::Horizontal);
   world->setObjectName("world");
   world->setRange(0, kHypotheses);
-  const auto say = [this](int rank) {
-    world_label_->setText(rank == 0
+  const auto say = [this](int number) {
+    world_label_->setText(number == 0
                               ? QString("Sampled world: none")
-                              : QString("Sampled world: %1 of %2").arg(rank).arg(kHypotheses));
+                              : QString("Sampled world: %1 of %2").arg(number).arg(kHypotheses));
   };
   say(0);
-  QObject::connect(world, &QSlider::valueChanged, this, [this, say](int rank) {
-    say(rank);
-    commands_->showWorld(rank);
+  QObject::connect(world, &QSlider::valueChanged, this, [this, say](int number) {
+    say(number);
+    commands_->showWorld(number);
   });
   return makeSliderRow(world_label_, world);
 }

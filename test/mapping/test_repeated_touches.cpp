@@ -37,12 +37,12 @@ TEST(RepeatedTouchesTest, aMotionThatTouchedTwiceIsNotExpectedToPassAThirdTime) 
   const Eigen::Isometry3f there = makePose({0.3, 0, 0}).cast<float>();
   const Eigen::Isometry3f elsewhere = makePose({0.2, 0, 0}).cast<float>();
   belief.observe(graze(1));
-  const double once = belief.worlds()->sampled.shareOf(belief.worlds()->sampled.touching(there));
+  const double once = SampledWorlds::shareOf(belief.worlds()->sampled.touching(there));
   EXPECT_LT(once, 0.9);
   belief.observe(graze(2));
   const SampledWorlds& twice = belief.worlds()->sampled;
-  EXPECT_NEAR(twice.shareOf(twice.touching(there)), 1.0, 1e-9);
-  EXPECT_LT(twice.shareOf(twice.touching(elsewhere)), 0.2);
+  EXPECT_NEAR(SampledWorlds::shareOf(twice.touching(there)), 1.0, 1e-9);
+  EXPECT_LT(SampledWorlds::shareOf(twice.touching(elsewhere)), 0.2);
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ void compareWithAllPairs(bool planar) {
       const HypothesisMask perhaps = bruteForce(risk.worlds().sampled, pose, distance + rounding);
       EXPECT_EQ(certainly & ~mask, 0U);
       EXPECT_EQ(mask & ~perhaps, 0U);
-      EXPECT_DOUBLE_EQ(risk.atPose(pose), risk.worlds().sampled.shareOf(mask));
+      EXPECT_DOUBLE_EQ(risk.atPose(pose), SampledWorlds::shareOf(mask));
       touching += mask != 0 ? 1 : 0;
     }
   }
@@ -96,7 +96,7 @@ TEST(ContactRisk, AlongAPathIsTheUnionOverItsPosesNotTheirSum) {
   HypothesisMask mask = 0;
   for (const Pose& pose : densify(path, 0.001, 0.002)) mask |= risk.touching(pose);
   // The coarser check may miss a graze between two of its poses.
-  EXPECT_NEAR(risk.along(path), risk.worlds().sampled.shareOf(mask), 0.05);
+  EXPECT_NEAR(risk.along(path), SampledWorlds::shareOf(mask), 0.05);
   EXPECT_GT(risk.along(path), 0.0);
   EXPECT_GE(risk.along(path), risk.atPose(path.front()));
 }

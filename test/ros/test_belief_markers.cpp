@@ -4,7 +4,6 @@
 #include <limits>
 #include <memory>
 #include <set>
-#include <sstream>
 
 #include "../mapping/belief_observations.h"
 #include "smore/ros/belief_markers.h"
@@ -55,7 +54,7 @@ TEST(PlaceMarkers, AreEachPlaceOnceAndDarkerWhereItIsLikelier) {
   double expected = 0.0;  // each world that holds a contact to be true has a place for it
   for (const auto& [id, places] : worlds->touched) {
     for (int i = 0; i < kHypotheses; ++i) {
-      if (places[i]) expected += worlds->sampled.shareOf(HypothesisMask{1} << i);
+      if (places[i]) expected += SampledWorlds::shareOf(HypothesisMask{1} << i);
     }
   }
   EXPECT_NEAR(sum, expected, 1e-4);
@@ -78,8 +77,8 @@ TEST(SampledWorld, IsTheMatterOfOneWorldOnBothSides) {
     for (const MaskedPoint& ball : part.object()) held += __builtin_popcountll(ball.mask);
     for (const MaskedPoint& ball : part.world()) held += __builtin_popcountll(ball.mask);
   }
-  for (int rank = 1; rank <= kHypotheses; ++rank) {
-    const MarkerArray array = sampledWorldMarkers(*worlds, rank, kFrames);
+  for (int number = 1; number <= kHypotheses; ++number) {
+    const MarkerArray array = sampledWorldMarkers(*worlds, number, kFrames);
     EXPECT_EQ(array.markers.at(0).action, Marker::DELETEALL);
     for (const char* side : {"touched object", "touched world"}) {
       const Marker* balls = find(array, side);
@@ -91,23 +90,11 @@ TEST(SampledWorld, IsTheMatterOfOneWorldOnBothSides) {
   EXPECT_EQ(shown, held);
 }
 
-TEST(SampledWorld, SaysItsProbabilityTheLikeliestFirst) {
-  const auto worlds = worldsOfTheWall();
-  double last = 1.0;
-  double sum = 0.0;
-  for (int rank = 1; rank <= kHypotheses; ++rank) {
-    const MarkerArray array = sampledWorldMarkers(*worlds, rank, kFrames);
-    const Marker* label = find(array, "label");
-    ASSERT_NE(label, nullptr);
-    std::ostringstream begin;
-    begin << "world " << rank << " of 64, probability ";
-    ASSERT_EQ(label->text.rfind(begin.str(), 0), 0U) << label->text;
-    const double probability = std::stod(label->text.substr(begin.str().size()));
-    EXPECT_LE(probability, last);
-    last = probability;
-    sum += probability;
-  }
-  EXPECT_NEAR(sum, 1.0, kHypotheses * 0.0005) << "of numbers of three digits";
+TEST(SampledWorld, SaysItsNumber) {
+  const MarkerArray array = sampledWorldMarkers(*worldsOfTheWall(), 7, kFrames);
+  const Marker* label = find(array, "label");
+  ASSERT_NE(label, nullptr);
+  EXPECT_EQ(label->text, "world 7 of 64");
 }
 
 TEST(SampledWorld, StandsInThePlaneOfMotion) {
@@ -128,9 +115,9 @@ TEST(SampledWorld, StandsInThePlaneOfMotion) {
 }
 
 TEST(SampledWorld, IsTakenAwayWhereNoneIsAskedFor) {
-  for (const int rank : {-1, 0, kHypotheses + 1, std::numeric_limits<int>::max()}) {
-    const MarkerArray array = sampledWorldMarkers(*worldsOfTheWall(), rank, kFrames);
-    ASSERT_EQ(array.markers.size(), 1U) << rank;
+  for (const int number : {-1, 0, kHypotheses + 1, std::numeric_limits<int>::max()}) {
+    const MarkerArray array = sampledWorldMarkers(*worldsOfTheWall(), number, kFrames);
+    ASSERT_EQ(array.markers.size(), 1U) << number;
     EXPECT_EQ(array.markers[0].action, Marker::DELETEALL);
   }
 }

@@ -51,10 +51,10 @@ TEST_F(Panel, ShowsTheSampledWorldOfTheSlider) {
   };
   ASSERT_TRUE(panel_.click(RetrievalCommands::kRetrieve));
   ASSERT_TRUE(panel_.shows("progress", "contacts <b>1"));
-  for (const int rank : {3, 64}) {
-    panel_.child<QSlider>("world")->setValue(rank);
-    EXPECT_TRUE(panel_.shows("sampled world", QString("%1 of 64").arg(rank)));
-    EXPECT_TRUE(says("world " + std::to_string(rank) + " of 64, probability")) << label;
+  for (const int number : {3, 64}) {
+    panel_.child<QSlider>("world")->setValue(number);
+    EXPECT_TRUE(panel_.shows("sampled world", QString("%1 of 64").arg(number)));
+    EXPECT_TRUE(says("world " + std::to_string(number) + " of 64")) << label;
   }
   panel_.child<QSlider>("world")->setValue(0);
   EXPECT_TRUE(panel_.shows("sampled world", "none"));

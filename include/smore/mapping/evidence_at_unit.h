@@ -7,7 +7,6 @@
 #include "smore/mapping/belief_parameters.h"
 #include "smore/mapping/believed_prior.h"
 #include "smore/mapping/free_space_evidence.h"
-#include "smore/mapping/hypothesis_weights.h"
 #include "smore/mapping/map_frame.h"
 #include "smore/mapping/worlds.h"
 
@@ -57,10 +56,6 @@ class EvidenceAtUnit {
   /// Explanations of the contacts: those of `members` are taken evenly from the draws, the others
   /// explain nothing.
   ExplainedEvidence explain(const DrawnEvidence& drawn, const std::vector<int>& members) const;
-
-  /// How likely each of these explanations is, by the sizes of its surfaces in space; in a plane,
-  /// where sizes tell risks apart less well (docs/planning.md), all alike.
-  HypothesisWeights::Weights weightsOf(const std::vector<Explanation>& explanations) const;
 
   /// Notes where the contacts were touched in world `m`, explained in this way.
   void tellPlaces(const Explanation& explanation, int m, TouchedPlaces* touched) const;

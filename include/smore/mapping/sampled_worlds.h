@@ -3,21 +3,19 @@
 
 #include <vector>
 
-#include "smore/mapping/hypothesis_weights.h"
 #include "smore/mapping/worlds_at_unit.h"
 
 namespace smore {
 
 /// 64 worlds that the evidence allows, side by side in the bits of machine words: some at each unit
-/// of length that is likely, with their weights.
+/// of length that is likely. One is as likely as another.
 class SampledWorlds {
  public:
   /// Without matter: nothing touches.
   SampledWorlds() = default;
 
   /// Parts that have no world in common.
-  SampledWorlds(std::vector<WorldsAtUnit> parts, const HypothesisWeights& weights)
-      : parts_(std::move(parts)), weights_(weights) {}
+  explicit SampledWorlds(std::vector<WorldsAtUnit> parts) : parts_(std::move(parts)) {}
 
   /// The worlds in which the object touches at this pose in the map frame. Once they are more than
   /// `enough`, the rest may be missing.
@@ -25,10 +23,9 @@ class SampledWorlds {
                           int enough = kHypotheses - 1) const;
 
   /// Probability that the true world is among those in the mask.
-  double shareOf(HypothesisMask mask) const { return weights_.shareOf(mask); }
-
-  /// As HypothesisWeights::effectiveCount.
-  double effectiveCount() const { return weights_.effectiveCount(); }
+  static double shareOf(HypothesisMask mask) {
+    return static_cast<double>(__builtin_popcountll(mask)) / kHypotheses;
+  }
 
   /// By their units, the smallest first.
   const std::vector<WorldsAtUnit>& parts() const { return parts_; }
@@ -39,7 +36,6 @@ class SampledWorlds {
 
  private:
   std::vector<WorldsAtUnit> parts_;
-  HypothesisWeights weights_;
 };
 
 }  // namespace smore

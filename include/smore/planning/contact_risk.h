@@ -22,9 +22,9 @@ class ContactRisk {
   HypothesisMask touchingAlong(const Path& path) const;
 
   double atPose(const Pose& T_world_object) const {
-    return worlds_->sampled.shareOf(touching(T_world_object));
+    return SampledWorlds::shareOf(touching(T_world_object));
   }
-  double along(const Path& path) const { return worlds_->sampled.shareOf(touchingAlong(path)); }
+  double along(const Path& path) const { return SampledWorlds::shareOf(touchingAlong(path)); }
 
   /// Probability that a motion along `path` ends at a contact: with what is known, or with matter
   /// that nothing has touched yet. How far it goes without the latter follows from how far the

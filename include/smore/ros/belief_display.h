@@ -45,7 +45,7 @@ class BeliefDisplay {
   double voxel_size_;
   double half_length_ = 0.0;  ///< of the lines that were sent last [m]
   ros::NodeHandle node_;
-  std::atomic<int> wished_{0};  ///< rank of the world to be shown; 0: none
+  std::atomic<int> wished_{0};  ///< number of the world to be shown; 0: none
   int shown_ = 0;               ///< that was shown last
   RevisedTopic lines_, places_, world_;
   ros::Subscriber wish_;

@@ -11,15 +11,14 @@
 namespace smore {
 
 /// Where each contact may have been, each place once, in the object frame `frame`, as one marker:
-/// from yellow to black by the probability, by the weights of the worlds, that its contact was
-/// there. Half as large as the balls of matter that are assumed there.
+/// from yellow to black by the share of the worlds in which its contact was there. Half as large as the balls of matter that are assumed there.
 visualization_msgs::MarkerArray placeMarkers(const Worlds& worlds, const std::string& frame);
 
-/// One of the sampled worlds, the `rank`-th most likely, from 1 to kHypotheses: its balls of matter
-/// on either side as they are, one marker for each side and for what was touched or known
-/// beforehand, and its probability as text at the object. Before them one that deletes what was
-/// shown; that alone for another rank, and in a world without matter.
-visualization_msgs::MarkerArray sampledWorldMarkers(const Worlds& worlds, int rank,
+/// One of the sampled worlds, by its number from 1 to kHypotheses: its balls of matter on either
+/// side as they are, one marker for each side and for what was touched or known beforehand, and its
+/// number as text at the object. Before them one that deletes what was shown; that alone for
+/// another number, and in a world without matter.
+visualization_msgs::MarkerArray sampledWorldMarkers(const Worlds& worlds, int number,
                                                     const FrameNames& frames);
 
 }  // namespace smore
