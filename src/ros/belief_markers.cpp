@@ -4,7 +4,6 @@
 #include <array>
 #include <map>
 #include <string>
-#include <numeric>
 #include <vector>
 
 #include "smore/ros/marker_parts.h"

@@ -11,7 +11,8 @@
 namespace smore {
 
 /// Where each contact may have been, each place once, in the object frame `frame`, as one marker:
-/// from yellow to black by the share of the worlds in which its contact was there. Half as large as the balls of matter that are assumed there.
+/// from yellow to black by the share of the worlds in which its contact was there. Half as large as
+/// the balls of matter that are assumed there.
 visualization_msgs::MarkerArray placeMarkers(const Worlds& worlds, const std::string& frame);
 
 /// One of the sampled worlds, by its number from 1 to kHypotheses: its balls of matter on either
