@@ -18,7 +18,8 @@ METHODS = ("smore", "smore_told", "chs", "blocked", "paper", "cspace")
 COUNT, QUICK_COUNT = 10, 2
 SAC_COUNT, SAC_INTERACTIONS = 5, 20000
 QUICK_SAC_COUNT, QUICK_SAC_INTERACTIONS = 1, 1000
-LIMITS = {"chs": 100, "blocked": 100}  # of collisions, where others than the program's: their plans take long
+# Of collisions, where others than the program's: chs finds no further way, plans of blocked take ever longer.
+LIMITS = {"chs": 100, "blocked": 100}
 QUICK_LIMIT = 40  # of collisions, of which the slower methods need hundreds: crosses in the figure
 PAPER = {"paper": 96, "cspace": 548, "sac": 3136}  # its means
 NAMES = {"smore_told": "smore, told\nthe object", "chs": "chs, told\nthe object"}

@@ -36,22 +36,18 @@ std::optional<Vec3> truePlace(const ContactObservation& contact, const TrialTrut
   return on_object;
 }
 
-std::optional<double> logPlaceDensity(const std::vector<WeighedPlace>& places,
+std::optional<double> logPlaceDensity(const std::vector<std::optional<Vec3>>& places,
                                       const LineOfAction& line, const Vec3& true_place,
                                       double bandwidth, double range, bool planar) {
   if (places.empty()) return std::nullopt;
   Vec3 direction = line.direction;
   if (planar) direction.z() = 0.0;
   direction.normalize();
-  const auto worlds = static_cast<double>(places.size());
   double density = 1.0 / range;
-  for (const WeighedPlace& sample : places) {
-    const double of_world =
-        sample.place ? normalDensity((true_place - *sample.place).dot(direction), bandwidth)
-                     : 1.0 / range;
-    density += worlds * sample.weight * of_world;
+  for (const std::optional<Vec3>& place : places) {
+    density += place ? normalDensity((true_place - *place).dot(direction), bandwidth) : 1.0 / range;
   }
-  return std::log(density / (worlds + 1.0));
+  return std::log(density / (static_cast<double>(places.size()) + 1.0));
 }
 
 }  // namespace smore

@@ -21,8 +21,7 @@ SeedScatter scatterOf(const std::vector<double>& shares) {
 }
 
 std::optional<double> effectiveWorlds(const SeedScatter& scatter) {
-  constexpr double kRounding = 1e-9;  // of sums of weights: all worlds agree
-  if (!(scatter.variance > 0.0) || scatter.binomial < kRounding) return std::nullopt;
+  if (!(scatter.variance > 0.0)) return std::nullopt;
   return scatter.binomial / scatter.variance;
 }
 

@@ -40,14 +40,9 @@ std::vector<double> ScoredBelief::survival(const std::vector<Path>& legs) const 
   return survival;
 }
 
-std::vector<WeighedPlace> ScoredBelief::placesOf(const ContactObservation& contact) const {
-  std::vector<WeighedPlace> places;
-  if (!contact.line) return places;
-  for (const auto& place : belief_->placesOf(contact.T_world_object, *contact.line)) {
-    const HypothesisMask world = HypothesisMask{1} << places.size();
-    places.push_back({place, SampledWorlds::shareOf(world)});
-  }
-  return places;
+std::vector<std::optional<Vec3>> ScoredBelief::placesOf(const ContactObservation& contact) const {
+  if (!contact.line) return {};
+  return belief_->placesOf(contact.T_world_object, *contact.line);
 }
 
 }  // namespace smore

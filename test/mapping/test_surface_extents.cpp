@@ -11,6 +11,8 @@
 namespace smore {
 namespace {
 
+constexpr double kStepShare = 0.8;  // of the contact distance, from point to point of a patch
+
 // Two touches of the object 30 cm apart; what a third touched in the world lay at `obstacle` when
 // the object was free. Whether matter joins the two.
 bool joinsPastAnObstacleAt(const Vec3& obstacle) {
@@ -38,6 +40,34 @@ TEST(SurfaceExtents, JoinTouchesInSpaceUnlessFreeSpaceSpeaksAgainstIt) {
   EXPECT_FALSE(joinsPastAnObstacleAt({0.0, 0.5 * distance, 0.03})) << "beside all touches";
   EXPECT_FALSE(joinsPastAnObstacleAt({0.0, 0.0, 0.03 - 0.5 * distance})) << "below all touches";
   EXPECT_TRUE(joinsPastAnObstacleAt({0.0, 2.0 * distance, 0.03}));
+}
+
+// Worlds in which the surface of a single touch goes on for at least so many steps of its lattice.
+int worldsThatGoOnFor(int steps) {
+  const JointBeliefParameters lengths = atADecimetre();
+  const FreeSpaceEvidence no_evidence(lengths.free_space, lengths.feature.conflictDistance());
+  std::vector<ContactHypotheses> contacts = {contactAt({0.0, 0.0, 0.1}, Vec3::Zero(), 1)};
+  contacts[0].world_normal.set(0, Vec3::UnitZ());
+  const std::vector<Explanation> explanations(kHypotheses, Explanation(1, 0));
+  const SurfaceExtents surfaces({contacts, no_evidence, explanations, ~HypothesisMask{0}, {}},
+                                lengths.feature, lengths.extent, false, 1);
+  const double least = (steps - 0.5) * kStepShare * lengths.feature.conflictDistance();
+  HypothesisMask worlds = 0;
+  for (const MaskedPoint& ball : surfaces.world()) {
+    if (ball.point.norm() >= least) worlds |= ball.mask;
+  }
+  return __builtin_popcountll(worlds);
+}
+
+TEST(SurfaceExtents, HaveSizesOfAllOrdersOfMagnitudeAlike) {
+  const JointBeliefParameters lengths = atADecimetre();
+  const double range = std::log(lengths.extent.world_longest / lengths.extent.shortest);
+  for (const int steps : {1, 2, 4, 8, 16}) {
+    const double size = steps * kStepShare * lengths.feature.conflictDistance();
+    EXPECT_NEAR(worldsThatGoOnFor(steps),
+                kHypotheses * std::log(lengths.extent.world_longest / size) / range, 1.0)
+        << steps;
+  }
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ struct TrialScores {
   std::vector<Forecast> object_voxels;
   std::vector<Forecast> world_voxels;
   std::vector<SeedScatter> scatter;  ///< at each moment, of the motions from then on
-  /// Weight of the worlds in which the motion that reached the goal touches, before each motion
+  /// Share of the worlds in which the motion that reached the goal touches, before each motion
   /// from the first contact on.
   std::vector<double> way_out;
   MapDifference order;

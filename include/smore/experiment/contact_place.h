@@ -14,15 +14,15 @@ namespace smore {
 std::optional<Vec3> truePlace(const ContactObservation& contact, const TrialTruth& truth);
 
 /// Logarithm of the density [nat, per metre] that a belief gives the true place of a contact along
-/// its line, docs/scoring.md (E4). Of N worlds with weights w,
+/// its line, docs/scoring.md (E4). Of N worlds, each with its place or a false contact,
 ///
-///   p(t) = [N sum_m w_m K(t - t_m) + 1/L] / (N + 1)
+///   p(t) = [sum_m K(t - t_m) + 1/L] / (N + 1)
 ///
 /// where t is the coordinate along the line, K the normal density with the standard deviation
 /// `bandwidth` [m], and L the `range` [m] over which a place of which nothing is known is uniform;
 /// a world that holds the contact to be false counts 1/L. In `planar` motion the coordinate is that
 /// in the plane. Nothing without places.
-std::optional<double> logPlaceDensity(const std::vector<WeighedPlace>& places,
+std::optional<double> logPlaceDensity(const std::vector<std::optional<Vec3>>& places,
                                       const LineOfAction& line, const Vec3& true_place,
                                       double bandwidth, double range, bool planar);
 

@@ -22,7 +22,7 @@ struct SeedScatter {
 SeedScatter scatterOf(const std::vector<double>& shares);
 
 /// The number of independent worlds that would scatter as much, docs/scoring.md (E5); nothing where
-/// nothing scatters by more than rounding.
+/// nothing scatters.
 std::optional<double> effectiveWorlds(const SeedScatter& scatter);
 
 }  // namespace smore

@@ -10,12 +10,6 @@
 
 namespace smore {
 
-/// A place where a contact may have been, by the sampled worlds.
-struct WeighedPlace {
-  std::optional<Vec3> place;  ///< in the object frame [m]; nothing: a false contact
-  double weight = 0.0;        ///< all sum to 1
-};
-
 /// The belief of the method smore as scores see it: all that is asked of it is asked here.
 class ScoredBelief {
  public:
@@ -33,7 +27,7 @@ class ScoredBelief {
   /// Probability that a motion ends at a contact, as a plan of it would say.
   double riskOf(const Path& path) const;
 
-  /// Weight of the worlds in which it touches.
+  /// Share of the worlds in which it touches.
   double touchingShare(const Path& path) const;
 
   /// Probability that none of the legs up to the i-th touches, for each leg of a motion: not
@@ -41,8 +35,9 @@ class ScoredBelief {
   /// share 0 is spread evenly over the legs.
   std::vector<double> survival(const std::vector<Path>& legs) const;
 
-  /// Empty for a contact that takes no part in the inference.
-  std::vector<WeighedPlace> placesOf(const ContactObservation& contact) const;
+  /// Where a contact was in each of the worlds, in the object frame [m]; nothing: a false contact
+  /// there. Empty for one that takes no part in the inference.
+  std::vector<std::optional<Vec3>> placesOf(const ContactObservation& contact) const;
 
   const VoxelGrid& world() const { return belief_->world(); }
   const VoxelGrid& object() const { return belief_->object(); }

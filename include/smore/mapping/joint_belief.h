@@ -26,8 +26,7 @@ struct StampedPose {
 constexpr FreeSpaceParameters kPoseAccuracy = {0.0005, 0.005};
 
 /// A belief that keeps all its evidence: where on each line each contact was, inferred jointly over
-/// all contacts and all free poses, as 64 worlds: equally likely ones in planar motion, in space
-/// weighed by the sizes of their surfaces. Both maps are their marginals.
+/// all contacts and all free poses, as 64 equally likely worlds. Both maps are their marginals.
 ///
 /// The belief knows no size: its worlds have units of length, up to three different ones, as likely
 /// as the contacts say (unitProbabilities, probabilitiesByCost); all that is assumed of matter is a

@@ -8,7 +8,7 @@
 
 namespace smore {
 
-/// Probability of contact under a joint belief: the weight of its sampled worlds in which something
+/// Probability of contact under a joint belief: the share of its sampled worlds in which something
 /// touches. Along a path a world counts once, however often the path touches in it, so that what
 /// one unknown decides is not counted as many risks.
 class ContactRisk {
