@@ -68,10 +68,8 @@ TEST(EffectiveWorlds, areThoseThatWereDrawn) {
     SeedScatter scatter;
     for (int event = 0; event < 4000; ++event) {
       std::binomial_distribution<int> touching(worlds, 0.1 + 0.8 * event / 4000.0);
-      std::vector<double> shares;
-      for (int seed = 0; seed < 4; ++seed) {
-        shares.push_back(static_cast<double>(touching(random)) / worlds);
-      }
+      std::vector<double> shares(4);  // one for each seed
+      for (double& share : shares) share = static_cast<double>(touching(random)) / worlds;
       scatter += scatterOf(shares);
     }
     EXPECT_NEAR(*effectiveWorlds(scatter), worlds, 0.05 * worlds);
