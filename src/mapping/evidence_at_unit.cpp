@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "smore/mapping/object_agreement.h"
+
 namespace smore {
 
 EvidenceAtUnit::EvidenceAtUnit(const JointBeliefParameters& parameters, const MapFrame& frame,
-                               double unit)
+                               double unit, double held)
     : unit_(unit),
-      parameters_(inMetres(parameters, unit)),
+      parameters_(inMetres(parameters, unit, held)),
       frame_(frame),
       free_(parameters_.free_space, parameters_.feature.conflictDistance()) {}
 
@@ -44,10 +46,19 @@ DrawnEvidence EvidenceAtUnit::draw(const std::vector<KnownMatter>& known,
   return result;
 }
 
-double EvidenceAtUnit::costOf(const std::vector<JointSample>& samples, std::size_t contacts) const {
+UnitEvidence EvidenceAtUnit::evidenceOf(const std::vector<JointSample>& samples,
+                                        std::size_t contacts) const {
+  const auto too_far = static_cast<int>(contacts - contacts_.size());
+  return {costOf(samples, too_far),
+          objectAgreement(contacts_, samples, parameters_.distribution.object.scale,
+                          parameters_.feature.reach, frame_.planar(), too_far)};
+}
+
+double EvidenceAtUnit::costOf(const std::vector<JointSample>& samples,
+                              double false_contacts) const {
   const DistributionParameters& distribution = parameters_.distribution;
   const double of_false_contact = -std::log(distribution.false_contact);
-  double cost = of_false_contact * static_cast<double>(contacts - contacts_.size());
+  double cost = of_false_contact * false_contacts;
   for (const JointSample& sample : samples) {
     const auto held_false = std::count(sample.places.begin(), sample.places.end(), kFalseContact);
     cost += (distribution.conflict_cost * contradictions(sample.places, free_) +

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "smore/common/elapsed_time.h"
 #include "smore/common/result.h"
@@ -72,9 +73,7 @@ void JointBelief::addFree(const Pose& T_world_object) {
   trail_.push_back(free_.centerOf(T_world_object));
   if (!contacts_.empty()) ++revision_;  // without contacts the maps stay empty
   bool news = at_unit_.empty();
-  for (auto& [index, evidence] : at_unit_) {
-    news = evidence.addFree(toMap(trail_.back())) || news;
-  }
+  for (auto& [units, evidence] : at_unit_) news = evidence.addFree(toMap(trail_.back())) || news;
   if (news) worlds_ = nullptr;
 }
 
@@ -84,7 +83,7 @@ bool JointBelief::addContact(const Pose& T_world_object, const LineOfAction& lin
   if (!levers_.emplace(places->id, places->lever).second) return true;
   const ObservedContact contact{places->id, T_world_object, line};
   contacts_.emplace(contact.id, contact);
-  for (auto& [index, evidence] : at_unit_) evidence.addContact(contact);
+  for (auto& [units, evidence] : at_unit_) evidence.addContact(contact);
   change();
   if (static_cast<int>(contacts_.size()) > parameters_.most_contacts) mergeContacts();
   return true;
@@ -93,7 +92,8 @@ bool JointBelief::addContact(const Pose& T_world_object, const LineOfAction& lin
 // At the unit at which a line may pass farthest from the hand.
 std::optional<ContactHypotheses> JointBelief::widestPlacesOf(const Pose& T_world_object,
                                                              const LineOfAction& line) const {
-  const FeatureParameters widest = inMetres(parameters_, unitOfLength(kUnits - 1)).feature;
+  const double largest = unitOfLength(kUnits - 1);
+  const FeatureParameters widest = inMetres(parameters_, largest, largest).feature;
   return contactHypotheses(frame_.T_map_world() * T_world_object, line, widest, frame_.planar());
 }
 
@@ -101,7 +101,7 @@ std::optional<ContactHypotheses> JointBelief::widestPlacesOf(const Pose& T_world
 void JointBelief::mergeContacts() {
   DrawnByUnit drawn;
   const int likeliest = likeliestOf(worldsByUnit(&drawn));
-  const EvidenceAtUnit& evidence = atUnit(likeliest);
+  const EvidenceAtUnit& evidence = atUnit(likeliest, drawn);
   std::vector<int> members(kHypotheses);
   std::iota(members.begin(), members.end(), 0);
   std::vector<std::uint64_t> merged;
@@ -154,9 +154,10 @@ std::shared_ptr<const Worlds> JointBelief::worlds() const {
 }
 
 const DrawnEvidence& JointBelief::drawnAt(int index, DrawnByUnit* drawn) const {
-  const auto known = drawn->find(index);
-  if (known != drawn->end()) return known->second;
-  return drawn->emplace(index, atUnit(index).draw(known_, parameters_.seed)).first->second;
+  const auto known = drawn->at.find(index);
+  if (known != drawn->at.end()) return known->second;
+  const EvidenceAtUnit& evidence = atUnit(index, *drawn);
+  return drawn->at.emplace(index, evidence.draw(known_, parameters_.seed)).first->second;
 }
 
 std::array<int, kUnits> JointBelief::worldsByUnit(DrawnByUnit* drawn) const {
@@ -167,12 +168,14 @@ std::array<int, kUnits> JointBelief::worldsByUnit(DrawnByUnit* drawn) const {
   std::vector<LeverOfContact> levers;
   levers.reserve(levers_.size());
   for (const auto& entry : levers_) levers.push_back(entry.second);
-  const auto cost = [&](int index) {
-    return atUnit(index).costOf(drawnAt(index, drawn).samples, contacts_.size());
+  const std::array<double, kUnits> by_levers = unitProbabilities(levers, frame_.planar(), known);
+  const std::array<int, kUnits> likely = worldsOfUnits(by_levers, kStrata, kStrata);
+  while (likely[drawn->held] == 0) ++drawn->held;
+  const auto evidence = [&](int index) {
+    const std::vector<JointSample>& samples = drawnAt(index, drawn).samples;
+    return atUnit(index, *drawn).evidenceOf(samples, contacts_.size());
   };
-  return worldsOfUnits(
-      probabilitiesByCost(unitProbabilities(levers, frame_.planar(), known), kStrata, cost),
-      kHypotheses, kStrata);
+  return worldsOfUnits(probabilitiesByEvidence(by_levers, kStrata, evidence), kHypotheses, kStrata);
 }
 
 // Of contacts with its surface, square to it.
@@ -189,12 +192,14 @@ std::vector<LeverOfContact> JointBelief::leversOfKnownObject() const {
 }
 
 // Made anew from all observations where the unit has become likely.
-EvidenceAtUnit& JointBelief::atUnit(int index) const {
-  const auto known = at_unit_.find(index);
+EvidenceAtUnit& JointBelief::atUnit(int index, const DrawnByUnit& drawn) const {
+  const std::pair<int, int> units{index, std::max(index, drawn.held)};
+  const auto known = at_unit_.find(units);
   if (known != at_unit_.end()) return known->second;
-  const double unit = parameters_.unit > 0.0 ? parameters_.unit : unitOfLength(index);
-  EvidenceAtUnit& evidence =
-      at_unit_.emplace(index, EvidenceAtUnit(parameters_, frame_, unit)).first->second;
+  const double told = parameters_.unit;
+  const auto metres = [told](int unit) { return told > 0.0 ? told : unitOfLength(unit); };
+  EvidenceAtUnit made(parameters_, frame_, metres(units.first), metres(units.second));
+  EvidenceAtUnit& evidence = at_unit_.emplace(units, std::move(made)).first->second;
   for (const Pose& pose : trail_) evidence.addFree(toMap(pose));
   for (const auto& entry : contacts_) evidence.addContact(entry.second);
   return evidence;
@@ -207,12 +212,12 @@ Worlds JointBelief::infer() const {
   TouchedPlaces touched;
   SampledWorlds sampled = sampledWorlds(counts, &drawn, &touched);
   forgetOtherUnits(drawn);
-  const EvidenceAtUnit& main = atUnit(likeliestOf(counts));
+  const EvidenceAtUnit& main = atUnit(likeliestOf(counts), drawn);
   VoxelGrid world =
       marginalMap(sampled, MapSide::kWorld, frame_.T_map_world().inverse(), parameters_.voxel_size);
   VoxelGrid object =
       marginalMap(sampled, MapSide::kObject, Pose::Identity(), parameters_.voxel_size);
-  const double unit = meanUnit(counts);
+  const double unit = meanUnit(counts, drawn);
   return {frame_,
           unit,
           main.parameters().feature,
@@ -228,15 +233,18 @@ Worlds JointBelief::infer() const {
 
 void JointBelief::forgetOtherUnits(const DrawnByUnit& drawn) const {
   for (auto known = at_unit_.begin(); known != at_unit_.end();) {
-    known = drawn.count(known->first) == 0 ? at_unit_.erase(known) : std::next(known);
+    const auto [index, held] = known->first;
+    const bool asked = drawn.at.count(index) > 0 && held == std::max(index, drawn.held);
+    known = asked ? std::next(known) : at_unit_.erase(known);
   }
 }
 
 // Geometric.
-double JointBelief::meanUnit(const std::array<int, kUnits>& counts) const {
+double JointBelief::meanUnit(const std::array<int, kUnits>& counts,
+                             const DrawnByUnit& drawn) const {
   double log_unit = 0.0;
   for (int i = 0; i < kUnits; ++i) {
-    if (counts[i] > 0) log_unit += counts[i] * std::log(atUnit(i).unit());
+    if (counts[i] > 0) log_unit += counts[i] * std::log(atUnit(i, drawn).unit());
   }
   return std::exp(log_unit / kHypotheses);
 }
@@ -251,7 +259,7 @@ SampledWorlds JointBelief::sampledWorlds(const std::array<int, kUnits>& counts, 
     for (const int end = place + counts[i]; place < end; ++place) {
       members.push_back(scattered(place));
     }
-    const EvidenceAtUnit& evidence = atUnit(i);
+    const EvidenceAtUnit& evidence = atUnit(i, *drawn);
     const ExplainedEvidence explained = evidence.explain(drawnAt(i, drawn), members);
     for (const int m : members) {
       evidence.tellPlaces(explained.explanations[m], m, touched);

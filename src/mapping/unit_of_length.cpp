@@ -85,30 +85,38 @@ std::array<double, kUnits> widened(const std::array<double, kUnits>& by_levers) 
   return result;
 }
 
-// Of the units that are likely by their levers, and of smaller ones as long as they are cheaper.
-std::map<int, double> costsOfUnits(const std::array<double, kUnits>& by_levers, int strata,
-                                   const std::function<double(int)>& cost) {
-  const std::array<int, kUnits> likely = worldsOfUnits(by_levers, strata, strata);
-  std::map<int, double> costs;
-  for (int i = 0; i < kUnits; ++i) {
-    if (likely[i] > 0) costs[i] = cost(i);
-  }
-  double last = costs.begin()->second;
-  for (int i = costs.begin()->first - 1; i >= 0 && last > kBearable; --i) {
-    costs[i] = cost(i);
-    if (costs[i] >= last) break;
-    last = costs[i];
-  }
-  return costs;
+// Log likelihood of the contacts at a unit, but for a constant.
+double valueOf(const UnitEvidence& evidence) {
+  return evidence.agreement - std::max(0.0, evidence.cost - kBearable);
 }
 
-// Beyond what is bearable, at the nearest unit whose cost is known.
-double excessAt(int index, const std::map<int, double>& costs) {
+using EvidenceOfUnits = std::map<int, UnitEvidence>;
+
+// Of the units that are likely by their levers, and of smaller ones as long as they are better.
+EvidenceOfUnits evidenceOfUnits(const std::array<double, kUnits>& by_levers, int strata,
+                                const std::function<UnitEvidence(int)>& evidence) {
+  const std::array<int, kUnits> likely = worldsOfUnits(by_levers, strata, strata);
+  EvidenceOfUnits result;
+  for (int i = 0; i < kUnits; ++i) {
+    if (likely[i] > 0) result[i] = evidence(i);
+  }
+  const auto [smallest, at_smallest] = *result.begin();
+  UnitEvidence last = at_smallest;
+  for (int i = smallest - 1; i >= 0 && last.cost > kBearable; --i) {
+    result[i] = evidence(i);
+    if (valueOf(result[i]) <= valueOf(last)) break;
+    last = result[i];
+  }
+  return result;
+}
+
+// At the nearest unit whose evidence is known.
+double valueAt(int index, const EvidenceOfUnits& known) {
   const auto nearest =
-      std::min_element(costs.begin(), costs.end(), [index](const auto& a, const auto& b) {
+      std::min_element(known.begin(), known.end(), [index](const auto& a, const auto& b) {
         return std::abs(a.first - index) < std::abs(b.first - index);
       });
-  return std::max(0.0, nearest->second - kBearable);
+  return valueOf(nearest->second);
 }
 
 }  // namespace
@@ -134,15 +142,16 @@ std::array<double, kUnits> unitProbabilities(const std::vector<LeverOfContact>& 
 }
 
 // docs/belief.md (U1).
-std::array<double, kUnits> probabilitiesByCost(const std::array<double, kUnits>& by_levers,
-                                               int strata,
-                                               const std::function<double(int index)>& cost) {
-  const std::map<int, double> costs = costsOfUnits(by_levers, strata, cost);
-  const bool bearable = std::all_of(
-      costs.begin(), costs.end(), [](const auto& of_unit) { return of_unit.second <= kBearable; });
+std::array<double, kUnits> probabilitiesByEvidence(
+    const std::array<double, kUnits>& by_levers, int strata,
+    const std::function<UnitEvidence(int index)>& evidence) {
+  const EvidenceOfUnits known = evidenceOfUnits(by_levers, strata, evidence);
+  const bool bearable = std::all_of(known.begin(), known.end(), [](const auto& of_unit) {
+    return of_unit.second.cost <= kBearable;
+  });
   if (bearable) return by_levers;
   std::array<double, kUnits> result = widened(by_levers);
-  for (int i = 0; i < kUnits; ++i) result[i] = std::log(result[i]) - excessAt(i, costs);
+  for (int i = 0; i < kUnits; ++i) result[i] = std::log(result[i]) + valueAt(i, known);
   exponentiate(&result);
   return result;
 }

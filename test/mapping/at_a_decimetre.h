@@ -9,6 +9,6 @@ namespace smore {
 constexpr double kDecimetre = 0.1;
 
 /// The default parameters at this unit.
-inline JointBeliefParameters atADecimetre() { return inMetres({}, kDecimetre); }
+inline JointBeliefParameters atADecimetre() { return inMetres({}, kDecimetre, kDecimetre); }
 
 }  // namespace smore

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "belief_observations.h"
+#include "smore/mapping/evidence_at_unit.h"
 
 namespace smore {
 namespace {
@@ -18,20 +19,29 @@ ContactObservation scaled(ContactObservation observation, double factor) {
   return observation;
 }
 
-// Touches all around the hand, at levers of all sizes, after ways that were free.
+// Corners of the object touch things around it, from free ways.
 std::vector<ContactObservation> scene(bool planar) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const auto vector = [&] {
     return Vec3(uniform(random), uniform(random), planar ? 0.0 : uniform(random));
   };
+  std::vector<Vec3> corners;
+  std::vector<Vec3> things;
+  for (int i = 0; i < 3; ++i) {
+    corners.push_back(0.2 * vector());
+    things.push_back(0.5 * vector());
+  }
   std::vector<ContactObservation> observations;
-  for (int i = 0; i < 8; ++i) {
-    const Pose end = makePose(0.2 * vector(), {0, 0, uniform(random)});
-    for (const double share : {0.0, 0.3, 0.6, 0.9}) {
-      observations.push_back(freeAt(interpolate(Pose::Identity(), end, share), 0));
+  for (int i = 0; i < 9; ++i) {
+    const Vec3& corner = corners[i % 3];
+    const Pose turn = makePose(Vec3::Zero(), {0, 0, uniform(random)});
+    const Vec3 away = turn * (-corner.normalized() + 0.3 * vector());
+    const Pose end = makePose(things[i / 3] - turn * corner) * turn;
+    for (const double gap : {0.2, 0.1, 0.05, 0.02}) {
+      observations.push_back(freeAt(makePose(gap * away) * end, 0));
     }
-    observations.push_back(contactAt(end, 0.2 * vector(), vector()));
+    observations.push_back(contactAt(end, corner, turn.inverse() * away));
   }
   return observations;
 }
@@ -64,6 +74,30 @@ TEST(BeliefScale, WorldsGrowWithTheScene) {
         same += std::abs(difference) < 0.15 ? 1.0 : 0.0;
       }
       EXPECT_GT(same / static_cast<double>(one.world().size()), 0.9) << planar << ' ' << factor;
+    }
+  }
+}
+
+// The side of a rod that is held at its end: as long as it is against its breadth, places lie as
+// far from the hand as it reaches.
+TEST(BeliefScale, AThinThingMayReachFar) {
+  constexpr double kBreadth = 0.02;
+  constexpr double kLever = 0.7;
+  const JointBeliefParameters parameters = planarParameters();
+  const MapFrame frame(parameters.T_world_plane);
+  const ContactObservation contact = contactAt(Pose::Identity(), {kLever, 0.01, 0}, {0, -1, 0});
+  for (const double held : {kBreadth, 0.3}) {
+    EvidenceAtUnit evidence(parameters, frame, kBreadth, held);
+    evidence.addContact({1, contact.T_world_object, *contact.line});
+    const double reach = parameters.feature.reach * held;
+    EXPECT_DOUBLE_EQ(evidence.parameters().feature.reach, reach);
+    EXPECT_DOUBLE_EQ(evidence.parameters().feature.radius, parameters.feature.radius * kBreadth);
+    EXPECT_EQ(evidence.contacts().size(), reach > kLever ? 1U : 0U);
+    const double cost = evidence.evidenceOf(evidence.draw({}, 1).samples, 1).cost;
+    if (reach > kLever) {
+      EXPECT_LT(cost, 1.0);
+    } else {
+      EXPECT_NEAR(cost, -std::log(parameters.distribution.false_contact), 1e-9);
     }
   }
 }

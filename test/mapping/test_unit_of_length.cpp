@@ -94,48 +94,68 @@ TEST(UnitOfLength, TouchesFarApartSpeakAgainstASmallOne) {
   EXPECT_GT(gap, 3.0);
 }
 
-// Levers that are sure of one unit, and costs by unit; what was asked for.
-struct Costs {
+// Levers that are sure of one unit, and what the contacts say by unit; what was asked for.
+struct Explained {
   static constexpr int kByLevers = 12;
-  std::array<double, kUnits> of{};
+  std::array<UnitEvidence, kUnits> at{};
   std::vector<int> asked;
 
   std::array<double, kUnits> probabilities() {
     std::array<double, kUnits> by_levers{};
     by_levers[kByLevers] = 1.0;
-    return probabilitiesByCost(by_levers, 3, [this](int index) {
+    return probabilitiesByEvidence(by_levers, 3, [this](int index) {
       asked.push_back(index);
-      return of[index];
+      return at[index];
     });
   }
 };
 
 TEST(UnitOfLength, LeversAreBelievedWhereNothingContradicts) {
-  Costs costs;
-  costs.of.fill(2.0);
-  const auto found = costs.probabilities();
-  EXPECT_EQ(found[Costs::kByLevers], 1.0);
-  EXPECT_EQ(costs.asked, std::vector<int>({Costs::kByLevers}));
+  Explained explained;
+  for (int i = 0; i < kUnits; ++i) explained.at[i] = {2.0, -10.0 * i};
+  const auto found = explained.probabilities();
+  EXPECT_EQ(found[Explained::kByLevers], 1.0);
+  EXPECT_EQ(explained.asked, std::vector<int>({Explained::kByLevers}));
 }
 
-// As where thin things are touched with a long tool: each smaller unit contradicts less, until
-// lines pass too far from the hand for it.
+// As where thin things are touched with a long tool: each smaller unit contradicts less.
 TEST(UnitOfLength, ASmallerOneIsTakenWhereTheLeversLeadToContradictions) {
-  Costs costs;
-  for (int i = 0; i < kUnits; ++i) costs.of[i] = 10.0 * std::abs(i - 9);
-  const auto found = costs.probabilities();
+  Explained explained;
+  for (int i = 0; i < kUnits; ++i) explained.at[i].cost = 10.0 * std::abs(i - 9);
+  const auto found = explained.probabilities();
   EXPECT_NEAR(std::accumulate(found.begin(), found.end(), 0.0), 1.0, 1e-12);
   EXPECT_GT(found[9], 0.6);
   EXPECT_GT(found[7] + found[8] + found[9], 0.9);
-  EXPECT_EQ(costs.asked, std::vector<int>({12, 11, 10, 9}));
+  EXPECT_EQ(explained.asked, std::vector<int>({12, 11, 10, 9}));
+}
+
+// A thing that is thin against its lever, between whose units one is dearer than both. The first
+// that is bearable is the last to be asked: touches at one place agree best at the smallest unit.
+TEST(UnitOfLength, TouchesThatForeseeOneAnotherLeadPastACostlyOne) {
+  Explained explained;
+  for (int i = 0; i < kUnits; ++i) explained.at[i] = {30.0, -20.0 * i};
+  explained.at[10].cost = 45.0;
+  explained.at[9].cost = 2.0;
+  const auto found = explained.probabilities();
+  EXPECT_GT(found[9], 0.6);
+  EXPECT_GT(found[7] + found[8] + found[9], 0.9);
+  EXPECT_EQ(explained.asked, std::vector<int>({12, 11, 10, 9}));
+}
+
+// Of units that all cost something, the one at which the touches agree.
+TEST(UnitOfLength, TheOneAtWhichTouchesAgreeIsTaken) {
+  Explained explained;
+  for (int i = 0; i < kUnits; ++i) explained.at[i] = {8.0, -20.0 * std::abs(i - 10)};
+  EXPECT_GT(explained.probabilities()[10], 0.99);
+  EXPECT_EQ(explained.asked, std::vector<int>({12, 11, 10, 9}));
 }
 
 // What contradicts at every unit, such as lines that are known badly, says nothing of it.
-TEST(UnitOfLength, CostsThatAreEqualEverywhereLeaveTheLeversTheirSay) {
-  Costs costs;
-  costs.of.fill(50.0);
-  EXPECT_GT(costs.probabilities()[Costs::kByLevers], 0.94);
-  EXPECT_EQ(costs.asked, std::vector<int>({12, 11}));
+TEST(UnitOfLength, WhatIsEqualEverywhereLeavesTheLeversTheirSay) {
+  Explained explained;
+  explained.at.fill({50.0, -30.0});
+  EXPECT_GT(explained.probabilities()[Explained::kByLevers], 0.94);
+  EXPECT_EQ(explained.asked, std::vector<int>({12, 11}));
 }
 
 TEST(UnitOfLength, WorldsAreSharedOutByEqualParts) {

@@ -33,7 +33,8 @@ struct JointBeliefParameters {
   PriorParameters prior;
 };
 
-/// The parameters with all that is in units of length in metres, if the unit is `unit` [m].
-JointBeliefParameters inMetres(JointBeliefParameters parameters, double unit);
+/// The parameters with all that is in units of length in metres, if the unit of matter is `unit`
+/// [m] and that of the reach of what is held is `held` [m].
+JointBeliefParameters inMetres(JointBeliefParameters parameters, double unit, double held);
 
 }  // namespace smore

@@ -8,6 +8,7 @@
 #include "smore/mapping/believed_prior.h"
 #include "smore/mapping/free_space_evidence.h"
 #include "smore/mapping/map_frame.h"
+#include "smore/mapping/unit_of_length.h"
 #include "smore/mapping/worlds.h"
 
 namespace smore {
@@ -32,11 +33,12 @@ struct ExplainedEvidence {
   BelievedPrior prior;
 };
 
-/// What all observations say if the unit of length is a certain one.
+/// What all observations say if the units of length are certain ones.
 class EvidenceAtUnit {
  public:
-  /// `parameters` in units of length.
-  EvidenceAtUnit(const JointBeliefParameters& parameters, const MapFrame& frame, double unit);
+  /// `parameters` in units of length; `unit` and `held` as for inMetres.
+  EvidenceAtUnit(const JointBeliefParameters& parameters, const MapFrame& frame, double unit,
+                 double held);
 
   /// False where the pose was known.
   bool addFree(const Pose& T_map_object) { return free_.addPose(T_map_object); }
@@ -49,9 +51,9 @@ class EvidenceAtUnit {
   /// By `seed`. `known`: a view, which must outlive the result.
   DrawnEvidence draw(const std::vector<KnownMatter>& known, std::uint64_t seed) const;
 
-  /// What the draws cost on average [nats]: contradictions among the contacts, and contacts that
-  /// are held to be false. Of all `contacts` those whose lines pass too far for this unit are.
-  double costOf(const std::vector<JointSample>& samples, std::size_t contacts) const;
+  /// What the draws say of the unit, on average. Of all `contacts` those whose lines pass too far
+  /// from the hand for it are false.
+  UnitEvidence evidenceOf(const std::vector<JointSample>& samples, std::size_t contacts) const;
 
   /// Explanations of the contacts: those of `members` are taken evenly from the draws, the others
   /// explain nothing.
@@ -67,6 +69,8 @@ class EvidenceAtUnit {
   const std::vector<ContactHypotheses>& contacts() const { return contacts_; }  ///< by their ids
 
  private:
+  double costOf(const std::vector<JointSample>& samples, double false_contacts) const;
+
   double unit_;
   JointBeliefParameters parameters_;
   MapFrame frame_;

@@ -29,8 +29,8 @@ constexpr FreeSpaceParameters kPoseAccuracy = {0.0005, 0.005};
 /// all contacts and all free poses, as 64 equally likely worlds. Both maps are their marginals.
 ///
 /// The belief knows no size: its worlds have units of length, up to three different ones, as likely
-/// as the contacts say (unitProbabilities, probabilitiesByCost); all that is assumed of matter is a
-/// multiple of them. Where all that is observed is scaled alike, so are the worlds.
+/// as the contacts say (unitProbabilities, probabilitiesByEvidence); all that is assumed of matter
+/// is a multiple of them. Where all that is observed is scaled alike, so are the worlds.
 ///
 /// The same set of observations gives the same worlds, to the last bit, in any order, as long as no
 /// contacts are merged, and much the same at any rate of free samples that is fine against the
@@ -83,15 +83,19 @@ class JointBelief : public TwinMap {
   void noteContact(const ContactObservation& observation);
   bool addContact(const Pose& T_world_object, const LineOfAction& line);
   void mergeContacts();
-  /// What is drawn at each unit that an inference asks for.
-  using DrawnByUnit = std::map<int, DrawnEvidence>;
+  /// What is drawn at each unit that an inference asks for. What is held may be longer than the
+  /// unit of matter tells: its reach is that of the smallest unit that the levers tell, at least.
+  struct DrawnByUnit {
+    int held = 0;
+    std::map<int, DrawnEvidence> at;
+  };
   const DrawnEvidence& drawnAt(int index, DrawnByUnit* drawn) const;
   std::array<int, kUnits> worldsByUnit(DrawnByUnit* drawn) const;
   std::vector<LeverOfContact> leversOfKnownObject() const;
-  EvidenceAtUnit& atUnit(int index) const;
+  EvidenceAtUnit& atUnit(int index, const DrawnByUnit& drawn) const;
   Worlds infer() const;
   void forgetOtherUnits(const DrawnByUnit& drawn) const;
-  double meanUnit(const std::array<int, kUnits>& counts) const;
+  double meanUnit(const std::array<int, kUnits>& counts, const DrawnByUnit& drawn) const;
   std::optional<ContactHypotheses> widestPlacesOf(const Pose& T_world_object,
                                                   const LineOfAction& line) const;
   SampledWorlds sampledWorlds(const std::array<int, kUnits>& counts, DrawnByUnit* drawn,
@@ -112,7 +116,8 @@ class JointBelief : public TwinMap {
   /// nothing for the others.
   std::map<int, std::optional<StampedPose>> poses_without_line_;
 
-  mutable std::map<int, EvidenceAtUnit> at_unit_;  ///< of the units that were asked for last
+  /// By the indices of the units of matter and of what is held, those that were asked for last.
+  mutable std::map<std::pair<int, int>, EvidenceAtUnit> at_unit_;
   std::unique_ptr<std::mutex> inferring_ = std::make_unique<std::mutex>();
   mutable std::shared_ptr<const Worlds> worlds_;  ///< null while nobody has asked
 };

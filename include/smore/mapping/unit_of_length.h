@@ -41,16 +41,22 @@ struct LeverOfContact {
 std::array<double, kUnits> unitProbabilities(const std::vector<LeverOfContact>& levers, bool planar,
                                              const std::vector<LeverOfContact>& known = {});
 
-/// The same where explaining the contacts may cost more at one unit than at another: `cost` says
-/// how much [nats], at an index, such as contradictions with free space and contacts that are held
-/// to be false. It is asked for the units that worldsOfUnits takes of `by_levers` with so many
-/// `strata`; where the smallest of them costs more than the right one may, for smaller ones too, as
-/// long as that is cheaper. Matter that is thin against the lever that it is touched with is found
-/// so: what is assumed to be thick cannot stand where the object was free. Nothing contradicts a
-/// unit that is too small, which is why the levers go first.
-std::array<double, kUnits> probabilitiesByCost(const std::array<double, kUnits>& by_levers,
-                                               int strata,
-                                               const std::function<double(int index)>& cost);
+/// What the contacts say of a unit when they are explained at it [nats].
+struct UnitEvidence {
+  double cost = 0.0;       ///< of contradictions with free space, and of false contacts; >= 0
+  double agreement = 0.0;  ///< how well the touches on the object foresee one another
+};
+
+/// The same where the contacts may be explained better at one unit than at another: `evidence` says
+/// how well, at an index. It is asked for the units that worldsOfUnits takes of `by_levers` with so
+/// many `strata`; where the smallest of them costs more than the right one may, for smaller ones
+/// too, as long as each explains the contacts better than the one before. Matter that is thin
+/// against the lever that it is touched with is found so: what is assumed to be thick cannot stand
+/// where the object was free, and touches of a thin thing lie close together. Where nothing
+/// contradicts the levers, they are believed.
+std::array<double, kUnits> probabilitiesByEvidence(
+    const std::array<double, kUnits>& by_levers, int strata,
+    const std::function<UnitEvidence(int index)>& evidence);
 
 /// How many of `total` worlds have each unit: as many in each of `strata` parts of equal
 /// probability, with the unit in the part's middle.

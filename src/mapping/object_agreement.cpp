@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/mapping/object_agreement.h"
+
+#include <cmath>
+
+namespace smore {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// The touches on the object in one sample; those before it foresee the next one.
+class ForeseenTouches {
+ public:
+  ForeseenTouches(double spread, double reach, bool planar)
+      : spread_(spread),
+        peak_(planar ? 1.0 / (kPi * spread * spread)
+                     : 1.0 / (kPi * kPi * spread * spread * spread)),
+        anywhere_(planar ? 1.0 / (kPi * reach * reach)
+                         : 3.0 / (4.0 * kPi * reach * reach * reach)) {}
+
+  double anywhere() const { return std::log(anywhere_); }
+
+  /// Log density of the next touch, which then foresees others.
+  double add(const Eigen::Vector3f& touch) {
+    double density = anywhere_;
+    for (const Eigen::Vector3f& before : touches_) {
+      const double ratio = (touch - before).norm() / spread_;
+      const double falling = 1.0 + ratio * ratio;
+      density += peak_ / (falling * falling);
+    }
+    touches_.push_back(touch);
+    return std::log(density / static_cast<double>(touches_.size()));
+  }
+
+ private:
+  double spread_;
+  double peak_;      ///< of a kernel that integrates to one
+  double anywhere_;  ///< density of a touch that nothing foresees
+  std::vector<Eigen::Vector3f> touches_;
+};
+
+}  // namespace
+
+double objectAgreement(const std::vector<ContactHypotheses>& contacts,
+                       const std::vector<JointSample>& samples, double spread, double reach,
+                       bool planar, int elsewhere) {
+  double sum = 0.0;
+  for (const JointSample& sample : samples) {
+    ForeseenTouches touches(spread, reach, planar);
+    sum += elsewhere * touches.anywhere();
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      const int i = sample.places[k];
+      sum += i == kFalseContact ? touches.anywhere() : touches.add(contacts[k].object.at(i));
+    }
+  }
+  return sum / static_cast<double>(samples.size());
+}
+
+}  // namespace smore
