@@ -11,6 +11,7 @@ namespace smore {
 EvidenceAtUnit::EvidenceAtUnit(const JointBeliefParameters& parameters, const MapFrame& frame,
                                double unit, double held)
     : unit_(unit),
+      held_(held),
       parameters_(inMetres(parameters, unit, held)),
       frame_(frame),
       free_(parameters_.free_space, parameters_.feature.conflictDistance()) {}

@@ -217,9 +217,10 @@ Worlds JointBelief::infer() const {
       marginalMap(sampled, MapSide::kWorld, frame_.T_map_world().inverse(), parameters_.voxel_size);
   VoxelGrid object =
       marginalMap(sampled, MapSide::kObject, Pose::Identity(), parameters_.voxel_size);
-  const double unit = meanUnit(counts, drawn);
+  const double unit = meanUnit(&EvidenceAtUnit::unit, counts, drawn);
   return {frame_,
           unit,
+          meanUnit(&EvidenceAtUnit::held, counts, drawn),
           main.parameters().feature,
           main.free().cells(),
           freeTracks(trail_, unit),
@@ -240,11 +241,11 @@ void JointBelief::forgetOtherUnits(const DrawnByUnit& drawn) const {
 }
 
 // Geometric.
-double JointBelief::meanUnit(const std::array<int, kUnits>& counts,
+double JointBelief::meanUnit(UnitOf unit, const std::array<int, kUnits>& counts,
                              const DrawnByUnit& drawn) const {
   double log_unit = 0.0;
   for (int i = 0; i < kUnits; ++i) {
-    if (counts[i] > 0) log_unit += counts[i] * std::log(atUnit(i, drawn).unit());
+    if (counts[i] > 0) log_unit += counts[i] * std::log((atUnit(i, drawn).*unit)());
   }
   return std::exp(log_unit / kHypotheses);
 }

@@ -71,7 +71,7 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   const std::uint64_t seed = mixBits(seed_, calls_++);
   const double unit = worlds->unit;
   const RiskObjective& objective = parameters_.objective;
-  const RiskSpace space(space_, worlds->frame.T_map_world(), parameters_.lever * unit);
+  const RiskSpace space(space_, worlds->frame.T_map_world(), parameters_.lever * worlds->held);
   Search search{unit,
                 parameters_.step * unit,
                 {objective.touch_cost * unit, objective.give * unit},

@@ -38,7 +38,7 @@ Result<Path> InformedTouches::nextTouch(const Pose& from) {
   for (int i = 0; i < parameters_.probes; ++i) {
     const int turn = random_.index(static_cast<int>(roadmap.reachable().size()));
     const Pose& begin = roadmap.reachable()[turn];
-    const Pose end = drawEnd(begin, risk.worlds().unit, &random_);
+    const Pose end = drawEnd(begin, risk.worlds().held, &random_);
     if (!space_.contains(end)) continue;
     const double information = risk.informationOf({begin, end});
     if (information <= information_) continue;
@@ -53,7 +53,7 @@ Result<Path> InformedTouches::nextTouch(const Pose& from) {
 }
 
 // A straight way and a turn about one axis: together of the least length, with the way stretched.
-Pose InformedTouches::drawEnd(const Pose& from, double unit, CounterRandom* random) const {
+Pose InformedTouches::drawEnd(const Pose& from, double held, CounterRandom* random) const {
   const double share = random->uniform();
   const double angle =
       random->symmetric() * (1.0 - share) * parameters_.probe_length / parameters_.lever;
@@ -64,7 +64,7 @@ Pose InformedTouches::drawEnd(const Pose& from, double unit, CounterRandom* rand
     direction = space_.T_world_plane.linear() * Vec3(std::cos(heading), std::sin(heading), 0.0);
     axis = space_.T_world_plane.linear().col(2);
   }
-  const double shortest = parameters_.probe_length * unit;
+  const double shortest = parameters_.probe_length * held;
   const double longest = std::max(shortest, (space_.workspace.max - space_.workspace.min).norm());
   const double length = shortest * std::pow(longest / shortest, random->uniform());
   Pose end = from;

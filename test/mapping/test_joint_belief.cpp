@@ -117,6 +117,7 @@ TEST(JointBelief, ThinMatterThatIsTouchedWithALongToolIsFoundThin) {
   const auto likeliest = std::max_element(by_levers.begin(), by_levers.end()) - by_levers.begin();
   EXPECT_GT(unitOfLength(static_cast<int>(likeliest)), 0.25);
   EXPECT_LT(belief.worlds()->unit, 0.15);
+  EXPECT_GT(belief.worlds()->held, 0.25);
 }
 
 TEST(JointBelief, ProbabilitiesStayInsideAndResetForgets) {

@@ -63,6 +63,7 @@ class EvidenceAtUnit {
   void tellPlaces(const Explanation& explanation, int m, TouchedPlaces* touched) const;
 
   double unit() const { return unit_; }
+  double held() const { return held_; }
   /// In metres.
   const JointBeliefParameters& parameters() const { return parameters_; }
   const FreeSpaceEvidence& free() const { return free_; }
@@ -72,6 +73,7 @@ class EvidenceAtUnit {
   double costOf(const std::vector<JointSample>& samples, double false_contacts) const;
 
   double unit_;
+  double held_;
   JointBeliefParameters parameters_;
   MapFrame frame_;
   FreeSpaceEvidence free_;

@@ -95,7 +95,9 @@ class JointBelief : public TwinMap {
   EvidenceAtUnit& atUnit(int index, const DrawnByUnit& drawn) const;
   Worlds infer() const;
   void forgetOtherUnits(const DrawnByUnit& drawn) const;
-  double meanUnit(const std::array<int, kUnits>& counts, const DrawnByUnit& drawn) const;
+  using UnitOf = double (EvidenceAtUnit::*)() const;
+  double meanUnit(UnitOf unit, const std::array<int, kUnits>& counts,
+                  const DrawnByUnit& drawn) const;
   std::optional<ContactHypotheses> widestPlacesOf(const Pose& T_world_object,
                                                   const LineOfAction& line) const;
   SampledWorlds sampledWorlds(const std::array<int, kUnits>& counts, DrawnByUnit* drawn,

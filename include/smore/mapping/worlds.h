@@ -23,7 +23,8 @@ using TouchedPlaces = std::map<std::uint64_t, std::vector<std::optional<Vec3>>>;
 /// on, and threads may share it.
 struct Worlds {
   MapFrame frame;             ///< of the sampled worlds and the free cells
-  double unit = 0.0;          ///< of length [m]: the worlds' geometric mean
+  double unit = 0.0;          ///< of length, of matter [m]: the worlds' geometric mean
+  double held = 0.0;          ///< the same of the reach of what is held: no smaller
   FeatureParameters feature;  ///< what a touch was assumed to be in most worlds [m]
   FreeCells free;             ///< where the object was free, in cells of that unit
   /// Motions that were free, in the order in which they were made [T_world_object].

@@ -28,7 +28,8 @@ struct RiskPlannerParameters {
   double time_limit = 60.0;
   /// In units of length: longest edge of the trees, in the metric of the search ...
   double step = 1.2;
-  double lever = 3.0;  ///< ... and what a radian counts in it: half of a held thing's reach
+  /// ... and what a radian counts in it: half of the reach of what is held, in units of that.
+  double lever = 3.0;
   RiskObjective objective;
 };
 

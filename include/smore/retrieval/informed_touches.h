@@ -12,8 +12,8 @@ namespace smore {
 struct InformedTouchParameters {
   int probes = 300;  ///< motions among which the best is chosen, at least 1
   /// Of the part that may touch at least, and what a radian counts in it: half of a held thing's
-  /// reach, in units of length. At most a probe is as long as the workspace: lengths are drawn
-  /// log-uniform, so that what nobody has been near yet may tell most.
+  /// reach, in units of length of what is held. At most a probe is as long as the workspace:
+  /// lengths are drawn log-uniform, so that what nobody has been near yet may tell most.
   double probe_length = 3.0;
   double lever = 3.0;
   double least_information = 0.1;  ///< below, nothing is left to tell [nat]
@@ -39,7 +39,7 @@ class InformedTouches : public TouchPlanner {
   double information() const { return information_; }
 
  private:
-  Pose drawEnd(const Pose& from, double unit, CounterRandom* random) const;
+  Pose drawEnd(const Pose& from, double held, CounterRandom* random) const;
 
   const JointBelief* belief_;
   MotionSpace space_;
