@@ -92,7 +92,8 @@ double valueOf(const UnitEvidence& evidence) {
 
 using EvidenceOfUnits = std::map<int, UnitEvidence>;
 
-// Of the units that are likely by their levers, and of smaller ones as long as they are better.
+// Of the units that are likely by their levers, and of smaller ones as long as they are better. Few
+// touches agree by chance: that they do counts where it leads to smaller units.
 EvidenceOfUnits evidenceOfUnits(const std::array<double, kUnits>& by_levers, int strata,
                                 const std::function<UnitEvidence(int)>& evidence) {
   const std::array<int, kUnits> likely = worldsOfUnits(by_levers, strata, strata);
@@ -100,12 +101,15 @@ EvidenceOfUnits evidenceOfUnits(const std::array<double, kUnits>& by_levers, int
   for (int i = 0; i < kUnits; ++i) {
     if (likely[i] > 0) result[i] = evidence(i);
   }
-  const auto [smallest, at_smallest] = *result.begin();
-  UnitEvidence last = at_smallest;
-  for (int i = smallest - 1; i >= 0 && last.cost > kBearable; --i) {
+  const int smallest = result.begin()->first;
+  int best = smallest;
+  for (int i = smallest - 1; i >= 0 && result[best].cost > kBearable; --i) {
     result[i] = evidence(i);
-    if (valueOf(result[i]) <= valueOf(last)) break;
-    last = result[i];
+    if (valueOf(result[i]) <= valueOf(result[best])) break;
+    best = i;
+  }
+  if (best == smallest) {
+    for (auto& [index, of_unit] : result) of_unit.agreement = 0.0;
   }
   return result;
 }

@@ -150,6 +150,19 @@ TEST(UnitOfLength, TheOneAtWhichTouchesAgreeIsTaken) {
   EXPECT_EQ(explained.asked, std::vector<int>({12, 11, 10, 9}));
 }
 
+// Levers that leave several units open, of which one costs more than the others.
+TEST(UnitOfLength, AgreementByChanceCountsForNothingWhereTheLeversAreBorneOut) {
+  std::array<double, kUnits> by_levers{};
+  for (const int index : {9, 12, 15}) by_levers[index] = 1.0 / 3.0;
+  const auto found = [&](double agreement) {
+    return probabilitiesByEvidence(by_levers, 3, [agreement](int index) {
+      return UnitEvidence{index == 15 ? 5.0 : 1.0, agreement * index};
+    });
+  };
+  EXPECT_EQ(found(4.0), found(0.0));
+  EXPECT_NEAR(found(4.0)[15] / found(4.0)[9], std::exp(-2.0), 0.02);
+}
+
 // What contradicts at every unit, such as lines that are known badly, says nothing of it.
 TEST(UnitOfLength, WhatIsEqualEverywhereLeavesTheLeversTheirSay) {
   Explained explained;

@@ -52,8 +52,9 @@ struct UnitEvidence {
 /// many `strata`; where the smallest of them costs more than the right one may, for smaller ones
 /// too, as long as each explains the contacts better than the one before. Matter that is thin
 /// against the lever that it is touched with is found so: what is assumed to be thick cannot stand
-/// where the object was free, and touches of a thin thing lie close together. Where nothing
-/// contradicts the levers, they are believed.
+/// where the object was free, and touches of a thin thing lie close together. How well touches
+/// agree counts where a smaller unit was better. Where nothing contradicts the levers, they are
+/// believed.
 std::array<double, kUnits> probabilitiesByEvidence(
     const std::array<double, kUnits>& by_levers, int strata,
     const std::function<UnitEvidence(int index)>& evidence);
