@@ -17,7 +17,7 @@ constexpr int kCandidates = 256;
 /// What a contact is assumed to be: two balls of one radius that touch, one on the object, one on
 /// the world, with their common normal on the line of action. Any two such balls stand for matter,
 /// so they may never overlap. Lengths are in one unit: in metres where they are used, by default in
-/// units of length (unitOfLength).
+/// units of length (unitOfLength): the reach in that of what is held, the others in that of matter.
 struct FeatureParameters {
   double radius = 0.25;     ///< of the balls: how deep matter is claimed behind a touched surface
   double tolerance = 0.08;  ///< overlap of two balls that is still no contradiction

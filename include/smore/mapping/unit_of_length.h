@@ -15,9 +15,10 @@ constexpr int kUnits = 20;
 
 /// The unit of length of a scene [m]: how far from the hand what it holds is touched, on each axis
 /// across the lines of action. All that the belief and the search assume of the size of matter is a
-/// multiple of it: the scene of a pen in a drawer and that of a chair in a room differ in nothing
-/// else. `index` is from 0 to kUnits - 1; the units are log-uniform from 2 mm to 4.4 m, each 1.5
-/// times the one before: as finely as a wrong one costs touches (docs/belief.md).
+/// multiple of it, or of a smaller one where matter is thin against what is held: the scene of a
+/// pen in a drawer and that of a chair in a room differ in nothing else. `index` is from 0 to
+/// kUnits - 1; the units are log-uniform from 2 mm to 4.4 m, each 1.5 times the one before: as
+/// finely as a wrong one costs touches (docs/belief.md).
 double unitOfLength(int index);
 
 /// What one contact says about the unit.
@@ -50,11 +51,12 @@ struct UnitEvidence {
 /// The same where the contacts may be explained better at one unit than at another: `evidence` says
 /// how well, at an index. It is asked for the units that worldsOfUnits takes of `by_levers` with so
 /// many `strata`; where the smallest of them costs more than the right one may, for smaller ones
-/// too, as long as each explains the contacts better than the one before. Matter that is thin
-/// against the lever that it is touched with is found so: what is assumed to be thick cannot stand
-/// where the object was free, and touches of a thin thing lie close together. How well touches
-/// agree counts where a smaller unit was better. Where nothing contradicts the levers, they are
-/// believed.
+/// too, as long as each explains the contacts better than the one before, until one costs no more.
+/// Nothing contradicts a unit that is too small, which is why the levers go first. Matter that is
+/// thin against the lever that it is touched with is found so: what is assumed to be thick cannot
+/// stand where the object was free, and touches of a thin thing lie close together. How well
+/// touches agree counts where a smaller unit was better. Where nothing contradicts the levers, they
+/// are believed.
 std::array<double, kUnits> probabilitiesByEvidence(
     const std::array<double, kUnits>& by_levers, int strata,
     const std::function<UnitEvidence(int index)>& evidence);
