@@ -1,41 +1,56 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What voxel size, contact threshold, friction and the sensor's errors do to collisions and maps (named and not
-investigated in the paper)."""
+"""What voxel size, contact threshold, friction, the sensor's errors, the rate of samples and the order of motions do to
+collisions and maps (named and not investigated in the paper)."""
+import functools
 import statistics
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import numpy as np
+import octree_file
+from plot_results import COLORS
+from scene_geometry import Scene
 
-from experiments.trials import Trial, reported_seeds, scene_with
+from experiments import replays
+from experiments.surface import Surface, is_inside
+from experiments.trials import Trial, evidence_of, recorded, reported_seeds, scene_with, unperturbed
 
-WHAT = "voxel size, contact threshold, friction, errors of lines and noise of the sensor against collisions and maps"
-SCENE = "s_shape_perturbed"
+WHAT = "voxel size, contact threshold, friction, errors, rate and order of samples against collisions and maps"
+SCENES = {"smore": "s_shape_perturbed", "paper": "one_peg"}  # paper needs hundreds of collisions elsewhere
+MOST_COLLISIONS = {"smore": 60, "paper": 200}
 COUNT, QUICK_COUNT = 10, 1
-MOST_COLLISIONS = 60
 # Key of a scenario, the form of its value, the values, and the axis' label.
 SWEEPS = (
     ("voxel_size", "{}", (0.01, 0.02, 0.03, 0.05, 0.08), "voxel size [m]"),
-    ("contact_force", "{}", (2, 5, 10, 20), "force at which it is a contact [N]"),
+    ("contact_force", "{}", (2, 5, 10, 20), "force at which\nit is a contact [N]"),
     ("friction", "{}", (0, 0.3, 0.6, 0.9), "friction coefficient"),
-    ("line_noise", "{{direction: {}}}", (0, 0.05, 0.1, 0.2), "error of a line's direction [rad]"),
-    ("wrench_noise", "{{force_stddev: {}}}", (0, 0.5, 1.75, 3.5), "noise of a force sample [N]"),
+    ("line_noise", "{{direction: {}}}", (0, 0.05, 0.1, 0.2), "error of a line's\ndirection [rad]"),
+    ("wrench_noise", "{{force_stddev: {}}}", (0, 0.5, 1.75, 3.5), "noise of a\nforce sample [N]"),
 )
-COLOR = "#1a9641"
+RECORDED_COUNT, QUICK_RECORDED_COUNT = 5, 1  # trials whose evidence is told anew
+RATE = 500  # of the samples [1/s]
+ONE_IN = (1, 10, 50, 250)  # of them kept
+ORDERS = 4
+OCCUPIED = 0.5
 
 
 def trials(directory, quick):
     scenes = directory / "scenes"
     scenes.mkdir(parents=True, exist_ok=True)
-    options = ("--max-collisions", str(MOST_COLLISIONS))
     asked = []
-    for key, form, values, _ in SWEEPS:
-        for value in values:
-            scene = scenes / f"{key}_{value}.yaml"
-            scene.write_text(scene_with(SCENE, {key: form.format(value)}))
-            for seed in reported_seeds(QUICK_COUNT if quick else COUNT):
-                asked.append(Trial(f"{key}={value}/{seed}", str(scene), seed, options=options))
+    for method, base in SCENES.items():
+        options = ("--max-collisions", str(MOST_COLLISIONS[method]))
+        for key, form, values, _ in SWEEPS:
+            for value in values:
+                scene = scenes / f"{method}_{key}_{value}.yaml"
+                scene.write_text(scene_with(base, {key: form.format(value)}))
+                for seed in reported_seeds(QUICK_COUNT if quick else COUNT):
+                    asked.append(Trial(f"{method}/{key}={value}/{seed}", str(scene), seed, method, options))
+        scene = unperturbed(base, scenes)
+        for seed in reported_seeds(QUICK_RECORDED_COUNT if quick else RECORDED_COUNT):
+            asked.append(recorded(f"recorded_{method}_{seed}", scene, seed, method, directory, options))
     return asked
 
 
@@ -48,30 +63,117 @@ def told(value):
     return "-" if value is None else f"{value:.2f}"
 
 
-def measured(records, key, value):
+def measured(records, name):
     """Collisions, how many reached the goal, and precision of the object's and the world's map."""
-    results = [record["result"] for name, record in records.items() if name.startswith(f"{key}={value}/")]
+    results = [record["result"] for trial, record in records.items() if trial.startswith(f"{name}/")]
     maps = [mean_or_none([result[side]["precision"] for result in results]) for side in ("object_map", "world_map")]
     return [result["collisions"] for result in results], sum(result["success"] for result in results), maps
 
 
-def report(records, _directory):
-    """The table as text, and the figure by its name."""
-    lines = ["| key | value | mean | most | at the goal | object: precision | world: precision |", "|---" * 7 + "|"]
-    size = (3.0 * len(SWEEPS), 3.2)
-    figure, panels = plt.subplots(1, len(SWEEPS), figsize=size, sharey=True, constrained_layout=True)
-    for axes, (key, _, values, label) in zip(panels, SWEEPS):
+def draw_sweep(axes, records, key, values, label):
+    """Each trial a point, a bar at the mean; the methods side by side."""
+    for shift, method in zip((-0.12, 0.12), SCENES):
         for place, value in enumerate(values):
-            counts, reached, maps = measured(records, key, value)
-            lines.append(
-                f"| {key} | {value} | {statistics.mean(counts):.1f} | {max(counts)} | {reached} of {len(counts)} | "
-                f"{told(maps[0])} | {told(maps[1])} |"
-            )
-            axes.scatter([place] * len(counts), counts, s=12, color=COLOR, alpha=0.5)
-            axes.scatter([place], [statistics.mean(counts)], s=60, marker="_", color=COLOR)
-        axes.set_xticks(range(len(values)))
-        axes.set_xticklabels(values)
-        axes.set(xlabel=label, ylim=(0, None))
-        axes.grid(axis="y", alpha=0.3)
+            counts = np.maximum(measured(records, f"{method}/{key}={value}")[0], 0.8)
+            axes.scatter([place + shift] * len(counts), counts, s=9, color=COLORS[method], alpha=0.4)
+            name = f"{method}, {SCENES[method]}".replace("_", " ") if place == 0 else None
+            axes.scatter([place + shift], [counts.mean()], s=90, marker="_", color=COLORS[method], label=name)
+    axes.set_xticks(range(len(values)))
+    axes.set_xticklabels(values)
+    axes.set(xlabel=label, yscale="log")
+    axes.yaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
+    axes.grid(axis="y", alpha=0.3)
+
+
+def draw_sweeps(records):
+    figure, panels = plt.subplots(1, len(SWEEPS), figsize=(10.5, 3.3), sharey=True, constrained_layout=True)
+    for axes, (key, _, values, label) in zip(panels, SWEEPS):
+        draw_sweep(axes, records, key, values, label)
     panels[0].set_ylabel("collisions until the goal")
-    return "\n".join(lines) + "\n", {"sensitivity": figure}
+    figure.suptitle(" ", fontsize=11)  # room for the legend
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="upper center", ncol=2, frameon=False)
+    return figure
+
+
+class Maps:
+    """Both maps of a directory beside the true solids."""
+
+    def __init__(self, directory, scene):
+        self.occupied, right = set(), []
+        for side, solids in (("world", scene.environment), ("object", scene.object)):
+            centers, _sizes, probabilities, voxel = octree_file.read_octree(directory / f"{side}.ot")
+            centers = centers[probabilities >= OCCUPIED]
+            self.occupied |= {(side, *(center / voxel).round(1)) for center in centers}
+            right += list(_is_near(centers, solids, voxel))
+        self.precision = float(np.mean(right)) if right else None
+
+    def agreement(self, other):
+        """Share of the voxels that are occupied in one of both that are so in both."""
+        either = self.occupied | other.occupied
+        return len(self.occupied & other.occupied) / len(either) if either else None
+
+
+def _is_near(centers, solids, distance):
+    """Whether each point is within a distance of the solids, or inside."""
+    if not len(centers):
+        return np.zeros(0, dtype=bool)
+    near = Surface(solids).distances(centers) <= distance
+    return near | np.any([is_inside(centers, solid) for solid in solids], axis=0)
+
+
+class Retold:
+    """The maps of one recorded trial, at all rates and in all orders."""
+
+    def __init__(self, record, directory):
+        evidence = evidence_of(record)
+        scene = Scene(record["trial"]["scenario"])
+
+        def maps(name, change):
+            output = directory / "maps" / record["trial"]["name"] / name
+            return Maps(replays.maps_of(evidence, change, output), scene)
+
+        self.by_rate = [maps(f"one_in_{n}", functools.partial(replays.thinned, one_in=n)) for n in ONE_IN]
+        self.by_order = [maps(f"order_{n}", functools.partial(replays.reordered, seed=n)) for n in range(ORDERS)]
+
+    def agreements(self):
+        """With the maps of all samples in their order: by rate, and the mean of the other orders."""
+        first = self.by_rate[0]
+        others = [first.agreement(maps) for maps in self.by_order]
+        return [first.agreement(maps) for maps in self.by_rate], mean_or_none(others)
+
+
+def table_of_sweeps(records):
+    lines = ["| method | key | value | mean | most | at the goal | object: precision | world: precision |", "|---" * 8 + "|"]
+    for method in SCENES:
+        for key, _, values, _ in SWEEPS:
+            for value in values:
+                counts, reached, maps = measured(records, f"{method}/{key}={value}")
+                lines.append(
+                    f"| {method} | {key} | {value} | {statistics.mean(counts):.1f} | {max(counts)} | "
+                    f"{reached} of {len(counts)} | {told(maps[0])} | {told(maps[1])} |"
+                )
+    return "\n".join(lines) + "\n"
+
+
+def table_of_retold(retold):
+    lines = ["| method | samples told | precision of the maps | voxels as with all, in order |", "|---" * 4 + "|"]
+    for method, some in retold.items():
+        for place, one_in in enumerate(ONE_IN):
+            precision = mean_or_none([each.by_rate[place].precision for each in some])
+            agreement = mean_or_none([each.agreements()[0][place] for each in some])
+            lines.append(f"| {method} | {RATE / one_in:g} a second | {told(precision)} | {told(agreement)} |")
+        precision = mean_or_none([maps.precision for each in some for maps in each.by_order])
+        agreement = mean_or_none([each.agreements()[1] for each in some])
+        lines.append(f"| {method} | all, motions in another order | {told(precision)} | {told(agreement)} |")
+    return "\n".join(lines) + "\n"
+
+
+def report(records, directory):
+    """The tables as text, and the figure by its name."""
+    retold = {
+        method: [
+            Retold(record, directory) for name, record in records.items() if name.startswith(f"recorded_{method}_")
+        ]
+        for method in SCENES
+    }
+    return table_of_sweeps(records) + "\n" + table_of_retold(retold), {"sensitivity": draw_sweeps(records)}

@@ -18,10 +18,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 from experiments import (  # noqa: E402
     animation, calibration, choices, figure3, figure4, figure5, figure6, figure7, figure8, figure9, figure10,
-    generality, learning, lines_through_a_voxel, methods, rivals, sensitivity, sweep, trials,
+    generality, learning, lines_through_a_voxel, methods, replays, rivals, sensitivity, sweep, trials,
 )
 from scene_geometry import rotation_of  # noqa: E402
-from experiments.recording import Recording, moments  # noqa: E402
+from experiments.recording import FREE, Recording, moments  # noqa: E402
 from experiments.trials import Store, Trial, TrialError, run  # noqa: E402
 
 # Stands for smore_experiment: notes each call, and fails for seed 13.
@@ -57,6 +57,15 @@ given = pathlib.Path(sys.argv[sys.argv.index("--evidence") + 1]).read_text()
 (output / "summary.json").write_text(given)
 """
 
+# Stands for smore_score: one group of scores, with voxels in two bins.
+SCORE = """#!/usr/bin/python3
+import json, sys
+bins = [{"stated": 0.2, "true": 0.1, "count": 300}, {"stated": 0.9, "true": 1.0, "count": 3}]
+voxels = {"bins": bins, "calibration_error": 0.1, "largest_error": None, "voxels": 303}
+group = {"world_voxels": voxels, "object_voxels": voxels}
+open(sys.argv[sys.argv.index("--output") + 1], "w").write(json.dumps({"groups": [group]}))
+"""
+
 
 def row_major(x, turn=0.0):
     cosine, sine = np.cos(turn), np.sin(turn)
@@ -89,7 +98,8 @@ class ExperimentsTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
         program = self.folder / "program"
-        for file, text in ((program, PROGRAM), (self.folder / "smore_rebuild", REBUILD)):
+        others = {"smore_rebuild": REBUILD, "smore_score": SCORE}
+        for file, text in ((program, PROGRAM), *((self.folder / name, text) for name, text in others.items())):
             file.write_text(text)
             file.chmod(0o755)
         (self.folder / "program.evidence").write_text(evidence_of_two_motions())
@@ -230,6 +240,19 @@ class ExperimentsTest(unittest.TestCase):
             recording.maps_before(index, self.folder / "maps")
             self.assertEqual(given.stat().st_mtime_ns, made)
             self.assertFalse(list((self.folder / "maps").glob("*.evidence")))
+
+    def test_evidence_told_anew_has_fewer_free_poses_or_another_order(self):
+        lines = evidence_of_two_motions().encode().splitlines(keepends=True)
+        thin = replays.thinned(lines, 10)
+        self.assertEqual(len(lines) - len(thin), 121 - 12)
+        self.assertEqual([line for line in thin if FREE not in line], [line for line in lines if FREE not in line])
+        orders = [replays.reordered(lines, seed) for seed in range(8)]
+        self.assertIn(lines, orders)
+        self.assertTrue(any(order != lines for order in orders))
+        for order in orders:
+            self.assertEqual((sorted(order), order[:3], order[-1]), (sorted(lines), lines[:3], lines[-1]))
+            self.assertIn(replays.MOTION, order[3])
+        self.assertEqual(replays.reordered(lines[:3], 1), lines[:3])
 
     def test_a_sweep_covers_the_workspace_from_all_sides_coarsely_first(self):
         low, high = np.array([-0.5, -0.4, 0.1]), np.array([0.7, 0.6, 1.2])
