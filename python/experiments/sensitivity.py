@@ -95,16 +95,30 @@ def draw_sweeps(records):
     return figure
 
 
-class Maps:
-    """Both maps of a directory beside the true solids."""
+class Solids:
+    """Of one side, true."""
 
-    def __init__(self, directory, scene):
+    def __init__(self, solids):
+        self.solids, self.surface = solids, Surface(solids)
+
+    def are_near(self, centers, distance):
+        """Whether each point is within a distance of the solids, or inside."""
+        if not len(centers):
+            return np.zeros(0, dtype=bool)
+        near = self.surface.distances(centers) <= distance
+        return near | np.any([is_inside(centers, solid) for solid in self.solids], axis=0)
+
+
+class Maps:
+    """Both maps of a directory beside the true solids of each side."""
+
+    def __init__(self, directory, truth):
         self.occupied, right = set(), []
-        for side, solids in (("world", scene.environment), ("object", scene.object)):
+        for side, solids in truth.items():
             centers, _sizes, probabilities, voxel = octree_file.read_octree(directory / f"{side}.ot")
             centers = centers[probabilities >= OCCUPIED]
             self.occupied |= {(side, *(center / voxel).round(1)) for center in centers}
-            right += list(_is_near(centers, solids, voxel))
+            right += list(solids.are_near(centers, voxel))
         self.precision = float(np.mean(right)) if right else None
 
     def agreement(self, other):
@@ -113,24 +127,15 @@ class Maps:
         return len(self.occupied & other.occupied) / len(either) if either else None
 
 
-def _is_near(centers, solids, distance):
-    """Whether each point is within a distance of the solids, or inside."""
-    if not len(centers):
-        return np.zeros(0, dtype=bool)
-    near = Surface(solids).distances(centers) <= distance
-    return near | np.any([is_inside(centers, solid) for solid in solids], axis=0)
-
-
 class Retold:
     """The maps of one recorded trial, at all rates and in all orders."""
 
-    def __init__(self, record, directory):
+    def __init__(self, record, truth, directory):
         evidence = evidence_of(record)
-        scene = Scene(record["trial"]["scenario"])
 
         def maps(name, change):
             output = directory / "maps" / record["trial"]["name"] / name
-            return Maps(replays.maps_of(evidence, change, output), scene)
+            return Maps(replays.maps_of(evidence, change, output), truth)
 
         self.by_rate = [maps(f"one_in_{n}", functools.partial(replays.thinned, one_in=n)) for n in ONE_IN]
         self.by_order = [maps(f"order_{n}", functools.partial(replays.reordered, seed=n)) for n in range(ORDERS)]
@@ -155,9 +160,9 @@ def table_of_sweeps(records):
     return "\n".join(lines) + "\n"
 
 
-def table_of_retold(retold):
+def table_of_retold(by_method):
     lines = ["| method | samples told | precision of the maps | voxels as with all, in order |", "|---" * 4 + "|"]
-    for method, some in retold.items():
+    for method, some in by_method.items():
         for place, one_in in enumerate(ONE_IN):
             precision = mean_or_none([each.by_rate[place].precision for each in some])
             agreement = mean_or_none([each.agreements()[0][place] for each in some])
@@ -168,12 +173,15 @@ def table_of_retold(retold):
     return "\n".join(lines) + "\n"
 
 
+def retold(records, method, directory):
+    """All recorded trials of a method, in one scene."""
+    some = [record for name, record in records.items() if name.startswith(f"recorded_{method}_")]
+    scene = Scene(some[0]["trial"]["scenario"])
+    truth = {"world": Solids(scene.environment), "object": Solids(scene.object)}
+    return [Retold(record, truth, directory) for record in some]
+
+
 def report(records, directory):
     """The tables as text, and the figure by its name."""
-    retold = {
-        method: [
-            Retold(record, directory) for name, record in records.items() if name.startswith(f"recorded_{method}_")
-        ]
-        for method in SCENES
-    }
-    return table_of_sweeps(records) + "\n" + table_of_retold(retold), {"sensitivity": draw_sweeps(records)}
+    by_method = {method: retold(records, method, directory) for method in SCENES}
+    return table_of_sweeps(records) + "\n" + table_of_retold(by_method), {"sensitivity": draw_sweeps(records)}
