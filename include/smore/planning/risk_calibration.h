@@ -12,7 +12,8 @@ namespace smore {
 /// Plans are chosen for their low risk, and worlds lack what nobody has touched: so stated risks
 /// may be too low, in space most of all, by an amount that differs between scenes. The odds of a
 /// contact are taken to be those that were stated times a factor that is the same for all motions
-/// of a run, inferred from them: docs/planning.md (P2).
+/// of a run, inferred from them. In space odds above even ones count by their fourth root, since
+/// most worlds touching tells little more there than half of them: docs/planning.md (P2).
 class RiskCalibration {
  public:
   explicit RiskCalibration(Motion motion);
@@ -28,7 +29,9 @@ class RiskCalibration {
  private:
   static constexpr int kShifts = 81;
   static double shift(int index);
+  double logOdds(double risk) const;  ///< of a stated risk in (0, 1), as they count
 
+  Motion motion_;
   std::array<double, kShifts> weights_{};  ///< of the shifts of the log odds; they sum to 1
 };
 
