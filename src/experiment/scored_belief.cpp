@@ -20,9 +20,7 @@ double ScoredBelief::touchingShare(const Path& path) const {
 
 std::vector<double> ScoredBelief::survival(const std::vector<Path>& legs) const {
   const ContactRisk risk(belief_->worlds());
-  const FreeCells& free = risk.worlds().free;
-  const FreeSpaceParameters& cell = free.parameters();
-  const double known = std::max(1.0, static_cast<double>(free.count()));
+  const FreeSpaceParameters& cell = risk.worlds().free.parameters();
   HypothesisMask touched = 0;
   double fresh = 0.0;
   std::vector<double> survival;
@@ -30,12 +28,12 @@ std::vector<double> ScoredBelief::survival(const std::vector<Path>& legs) const 
     touched |= risk.touchingAlong(leg);
     const Path poses = densify(leg, cell.position_cell, cell.angle_cell);
     for (std::size_t i = survival.empty() ? 0 : 1; i < poses.size(); ++i) {
-      fresh += free.knows(risk.worlds().frame.toMap(poses[i])) ? 0.0 : 1.0;
+      fresh += risk.freshAt(poses[i]);
     }
     const double part = static_cast<double>(survival.size() + 1) / static_cast<double>(legs.size());
     const double share =
         (kHypotheses * SampledWorlds::shareOf(touched) + 0.5 * part) / (kHypotheses + 1.0);
-    survival.push_back((1.0 - share) * known / (known + fresh));
+    survival.push_back((1.0 - share) * risk.noSurpriseIn(fresh));
   }
   return survival;
 }

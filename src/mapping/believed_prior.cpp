@@ -15,7 +15,7 @@ HypothesisMask BelievedPrior::knowing(MapSide side, const Eigen::Vector3f& place
   HypothesisMask result = 0;
   for (int piece = 0; piece < evidence.count(); ++piece) {
     const KnownMatter& known = evidence.known(piece);
-    if (known.side() == side && known.knows(place)) result |= worlds[piece];
+    if (known.side() == side && known.matterAt(place).has_value()) result |= worlds[piece];
   }
   return result;
 }

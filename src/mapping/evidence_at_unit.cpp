@@ -37,8 +37,7 @@ void EvidenceAtUnit::removeContact(std::uint64_t id) {
   contacts_.erase(found);
 }
 
-DrawnEvidence EvidenceAtUnit::draw(const std::vector<KnownMatter>& known,
-                                   std::uint64_t seed) const {
+DrawnEvidence EvidenceAtUnit::draw(const KnownPieces& known, std::uint64_t seed) const {
   DrawnEvidence result;
   result.prior = PriorEvidence(known, contacts_, free_, parameters_.prior, parameters_.feature,
                                frame_.planar());

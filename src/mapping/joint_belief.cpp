@@ -133,12 +133,12 @@ void JointBelief::drawAnew(std::uint64_t seed) {
 
 void JointBelief::know(MapSide side, const Prior& prior) {
   const Pose T_frame_grid = side == MapSide::kWorld ? frame_.T_map_world() : Pose::Identity();
-  KnownMatter known(side, prior, T_frame_grid, frame_.planar());
+  auto known = std::make_shared<const KnownMatter>(side, prior, T_frame_grid, frame_.planar());
   // By their ids: the order in which they are told leaves no trace.
   const auto place =
-      std::lower_bound(known_.begin(), known_.end(), known.id(),
-                       [](const KnownMatter& piece, std::uint64_t id) { return piece.id() < id; });
-  if (place != known_.end() && place->id() == known.id()) return;
+      std::lower_bound(known_.begin(), known_.end(), known->id(),
+                       [](const auto& piece, std::uint64_t id) { return piece->id() < id; });
+  if (place != known_.end() && (*place)->id() == known->id()) return;
   if (known_.size() == kMostPriors) {
     throw InputError("more than " + std::to_string(kMostPriors) +
                      " pieces of prior knowledge; put some of them together");
@@ -181,9 +181,9 @@ std::array<int, kUnits> JointBelief::worldsByUnit(DrawnByUnit* drawn) const {
 // Of contacts with its surface, square to it.
 std::vector<LeverOfContact> JointBelief::leversOfKnownObject() const {
   std::vector<LeverOfContact> levers;
-  for (const KnownMatter& known : known_) {
-    if (known.side() != MapSide::kObject) continue;
-    for (const KnownMatter::SurfacePoint& point : known.surface()) {
+  for (const auto& known : known_) {
+    if (known->side() != MapSide::kObject) continue;
+    for (const KnownMatter::SurfacePoint& point : known->surface()) {
       const Eigen::Vector3f across = point.place - point.place.dot(point.inward) * point.inward;
       levers.push_back({across.norm(), 0.0, Vec3::Zero()});
     }

@@ -106,11 +106,20 @@ Vec3 KnownMatter::inwardOf(const VoxelKey& key) const {
   return sum.norm() < 1.0 ? Vec3::Zero() : Vec3(sum.normalized());
 }
 
-bool KnownMatter::knows(const Eigen::Vector3f& place) const {
+std::optional<bool> KnownMatter::matterAt(const Eigen::Vector3f& place) const {
   const Vec3 in_grid = T_grid_frame_ * Vec3(place.cast<double>());
   const double end = std::numeric_limits<std::int16_t>::max() * known_.voxelSize();
-  if (!(in_grid.cwiseAbs().maxCoeff() < end)) return false;
-  return known_.find(voxelAt(in_grid, known_.voxelSize())).has_value();
+  if (!(in_grid.cwiseAbs().maxCoeff() < end)) return std::nullopt;
+  const auto probability = known_.probability(voxelAt(in_grid, known_.voxelSize()));
+  if (!probability) return std::nullopt;
+  return *probability >= kOccupied;
+}
+
+std::optional<float> KnownMatter::reach() const {
+  if (!knows_free_space_ || matter_.empty()) return std::nullopt;
+  float farthest = 0.0F;
+  for (const Eigen::Vector3f& place : matter_) farthest = std::max(farthest, place.norm());
+  return farthest;
 }
 
 std::vector<Eigen::Vector3f> KnownMatter::balls(float radius) const {

@@ -93,13 +93,12 @@ double knownDistance(const FeatureParameters& feature) {
   return feature.radius + radiusOfKnown(feature) - feature.tolerance;
 }
 
-PriorEvidence::PriorEvidence(const std::vector<KnownMatter>& known,
+PriorEvidence::PriorEvidence(const KnownPieces& known,
                              const std::vector<ContactHypotheses>& contacts,
                              const FreeSpaceEvidence& free, const PriorParameters& parameters,
                              const FeatureParameters& feature, bool planar)
-    : ball_radius_(radiusOfKnown(feature)) {
+    : known_(known), ball_radius_(radiusOfKnown(feature)) {
   if (known.empty()) return;
-  for (const KnownMatter& piece : known) known_.push_back(&piece);
   addBalls();
   sayings_.assign(known_.size(), std::vector<Saying>(contacts.size()));
   for (int piece = 0; piece < count(); ++piece) compare(piece, contacts, parameters, feature);
@@ -134,7 +133,7 @@ void PriorEvidence::compare(int piece, const std::vector<ContactHypotheses>& con
           touchOf(matter.side(), contacts[k], i, static_cast<float>(feature.radius));
       const float explained = surface.explains(touch.place, touch.inward);
       saying.pull[i] = static_cast<float>(parameters.weight) * explained;
-      if (!matter.knows(touch.place)) continue;
+      if (!matter.matterAt(touch.place).has_value()) continue;
       saying.covered[i] = explained > kernel(kOnSurface, 1.0F);
       if (explained <= kernel(kSurfaceEnd, 1.0F)) ++saying.conflicts[i];
     }

@@ -12,4 +12,11 @@ HypothesisMask SampledWorlds::touching(const Eigen::Isometry3f& T_map_object, in
   return result;
 }
 
+double SampledWorlds::unknownShareAt(const Eigen::Isometry3f& T_map_object) const {
+  if (parts_.empty()) return 1.0;
+  double worlds = 0.0;
+  for (const WorldsAtUnit& part : parts_) worlds += part.unknownWorldsAt(T_map_object);
+  return worlds / kHypotheses;
+}
+
 }  // namespace smore

@@ -19,6 +19,7 @@ WorldsAtUnit::WorldsAtUnit(const WorldSamples& samples, const FeatureParameters&
       contact_distance_(feature.conflictDistance()),
       known_radius_(radiusOfKnown(feature)),
       members_(samples.members),
+      unknown_(samples.prior, samples.members, feature.reach, planar),
       known_object_(samples.prior.balls(MapSide::kObject)),
       known_world_(samples.prior.balls(MapSide::kWorld)) {
   const SurfaceExtents surfaces(samples, feature, extent, planar, seed);

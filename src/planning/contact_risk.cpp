@@ -23,6 +23,23 @@ double checkDistance(const SampledWorlds& worlds) {
   return touching > 0.0 ? kCheckShare * touching : std::numeric_limits<double>::infinity();
 }
 
+// Poses whose mean stands for all that were free.
+constexpr std::size_t kMostSamples = 64;
+
+// Cells that were free, each as far as something unknown might have touched there; one at least.
+double knownCells(const Worlds& worlds) {
+  Path free;
+  for (const Path& track : worlds.tracks) free.insert(free.end(), track.begin(), track.end());
+  const std::size_t step = 1 + free.size() / kMostSamples;
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < free.size(); i += step, ++count) {
+    sum += worlds.sampled.unknownShareAt(worlds.frame.toMap(free[i]).cast<float>());
+  }
+  const double share = count > 0 ? sum / count : 1.0;
+  return std::max(1.0, share * static_cast<double>(worlds.free.count()));
+}
+
 double entropyTerm(double probability) {
   return probability > 0.0 ? -probability * std::log(probability) : 0.0;
 }
@@ -32,7 +49,8 @@ double entropyTerm(double probability) {
 ContactRisk::ContactRisk(std::shared_ptr<const Worlds> worlds)
     : worlds_(std::move(worlds)),
       check_distance_(checkDistance(worlds_->sampled)),
-      check_angle_(check_distance_ / worlds_->feature.reach) {}
+      check_angle_(check_distance_ / worlds_->feature.reach),
+      known_cells_(knownCells(*worlds_)) {}
 
 HypothesisMask ContactRisk::touching(const Pose& T_world_object) const {
   return worlds_->sampled.touching(worlds_->frame.toMap(T_world_object).cast<float>());
@@ -44,16 +62,21 @@ HypothesisMask ContactRisk::touchingAlong(const Path& path) const {
   return mask;
 }
 
-double ContactRisk::noSurpriseIn(int fresh) const {
-  const double known = std::max(1.0, static_cast<double>(worlds_->free.count()));
-  return known / (known + fresh);
+double ContactRisk::freshAt(const Pose& T_world_object) const {
+  const Pose T_map_object = worlds_->frame.toMap(T_world_object);
+  if (worlds_->free.knows(T_map_object)) return 0.0;
+  return worlds_->sampled.unknownShareAt(T_map_object.cast<float>());
+}
+
+double ContactRisk::noSurpriseIn(double fresh) const {
+  return known_cells_ / (known_cells_ + fresh);
 }
 
 double ContactRisk::ofMotion(const Path& path) const {
   const FreeSpaceParameters& cell = worlds_->free.parameters();
-  int fresh = 0;
+  double fresh = 0.0;
   for (const Pose& pose : densify(path, cell.position_cell, cell.angle_cell)) {
-    fresh += worlds_->free.knows(worlds_->frame.toMap(pose)) ? 0 : 1;
+    fresh += freshAt(pose);
   }
   const double touched = predictedShare(along(path));
   return 1.0 - (1.0 - touched) * noSurpriseIn(fresh);
@@ -62,7 +85,7 @@ double ContactRisk::ofMotion(const Path& path) const {
 double ContactRisk::informationOf(const Path& path) const {
   const FreeSpaceParameters& cell = worlds_->free.parameters();
   HypothesisMask touched = 0;
-  int fresh = 0;
+  double fresh = 0.0;
   double no_surprise = 1.0;
   double surprise = 0.0;
   double entropy = 0.0;
@@ -70,9 +93,9 @@ double ContactRisk::informationOf(const Path& path) const {
     const HypothesisMask first = touching(pose) & ~touched;
     touched |= first;
     entropy += entropyTerm(no_surprise * SampledWorlds::shareOf(first));
-    if (worlds_->free.knows(worlds_->frame.toMap(pose))) continue;
     const double before = no_surprise;
-    no_surprise = noSurpriseIn(++fresh);
+    fresh += freshAt(pose);
+    no_surprise = noSurpriseIn(fresh);
     surprise += SampledWorlds::shareOf(~touched) * (before - no_surprise);
   }
   entropy += entropyTerm(surprise) + surprise * std::log(std::max(1.0, patchesOfObject()));

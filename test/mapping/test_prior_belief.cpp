@@ -5,28 +5,12 @@
 #include <random>
 
 #include "belief_observations.h"
+#include "known_boxes.h"
 #include "smore/mapping/joint_belief.h"
 #include "smore/mapping/octomap_export.h"
 
 namespace smore {
 namespace {
-
-// What is matter within a box, and free beside it, in voxels of a centimetre.
-Prior boxKnown(const Vec3& min, const Vec3& max, double margin, double confidence = 0.999) {
-  constexpr double kSize = 0.01;
-  Prior prior{VoxelGrid(kSize), confidence};
-  const Bounds box{min, max};
-  const VoxelKey first = voxelAt({min.x() - margin, min.y() - margin, 0.0}, kSize);
-  const VoxelKey last = voxelAt({max.x() + margin, max.y() + margin, 0.0}, kSize);
-  for (VoxelKey key = first; key.x <= last.x; ++key.x) {
-    for (key.y = first.y; key.y <= last.y; ++key.y) {
-      Vec3 center = voxelCenter(key, kSize);
-      center.z() = 0.5 * (min.z() + max.z());
-      prior.known.set(key, box.contains(center) ? 1.0F : 0.0F);
-    }
-  }
-  return prior;
-}
 
 // The bar of wallObservations, which reaches 0.2 m ahead of the hand.
 Prior bar(double confidence = 0.999) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <random>
 
+#include "known_boxes.h"
 #include "smore/mapping/joint_belief.h"
 #include "smore/planning/contact_risk.h"
 
@@ -154,6 +155,24 @@ TEST(ContactRisk, OfAMotionFallsWithWhatIsKnownToBeFree) {
   EXPECT_LT(risk.ofMotion(motion(0, kCells - 1)), 0.01);
   EXPECT_NEAR(risk.ofMotion(motion(0, 2 * kCells - 1)), 0.5, 0.02);
   EXPECT_NEAR(risk.ofMotion(motion(0, 4 * kCells - 1)), 0.75, 0.02);
+}
+
+// Where all is known beforehand nothing can surprise: before anything has moved the risk is that of
+// what is known.
+TEST(ContactRisk, OfAMotionIsThatOfWhatIsKnownBeforehand) {
+  JointBeliefParameters parameters;
+  parameters.unit = 0.1;
+  parameters.T_world_plane = Pose::Identity();
+  JointBelief belief(parameters);
+  const Path clear = {makePose({0, 0, 0}), makePose({0.2, 0, 0})};
+  const Path blocked = {makePose({0, 0, 0}), makePose({0.4, 0, 0})};
+  EXPECT_GT(ContactRisk(belief.worlds()).ofMotion(clear), 0.9);
+  belief.know(MapSide::kObject, barKnown());
+  const double object_known = ContactRisk(belief.worlds()).ofMotion(clear);
+  EXPECT_GT(object_known, 0.5);
+  belief.know(MapSide::kWorld, boxKnown({0.5, -1.0, -0.1}, {1.5, 1.0, 0.1}, 1.0));
+  EXPECT_LT(ContactRisk(belief.worlds()).ofMotion(clear), 0.02);
+  EXPECT_GT(ContactRisk(belief.worlds()).ofMotion(blocked), 0.95);
 }
 
 // Of a motion through known free space the outcome depends on the sampled worlds alone: their

@@ -48,8 +48,8 @@ class EvidenceAtUnit {
   void addContact(const ObservedContact& contact);
   void removeContact(std::uint64_t id);
 
-  /// By `seed`. `known`: a view, which must outlive the result.
-  DrawnEvidence draw(const std::vector<KnownMatter>& known, std::uint64_t seed) const;
+  /// By `seed`. `known`: beforehand.
+  DrawnEvidence draw(const KnownPieces& known, std::uint64_t seed) const;
 
   /// What the draws say of the unit, on average. Of all `contacts` those whose lines pass too far
   /// from the hand for it are false.

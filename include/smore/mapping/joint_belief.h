@@ -113,7 +113,7 @@ class JointBelief : public TwinMap {
   Path trail_;      ///< a pose of each of these cells, in the order in which they were entered
   std::map<std::uint64_t, ObservedContact> contacts_;  ///< by their ids, those merged left out
   std::map<std::uint64_t, LeverOfContact> levers_;     ///< of all contacts, by their ids
-  std::vector<KnownMatter> known_;                     ///< beforehand, by their ids
+  KnownPieces known_;                                  ///< beforehand, by their ids
   /// By contact_id, the first pose of each contact whose line says nothing or has not come yet;
   /// nothing for the others.
   std::map<int, std::optional<StampedPose>> poses_without_line_;

@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "smore/mapping/prior.h"
@@ -28,8 +30,12 @@ class KnownMatter {
   double logOdds() const { return log_odds_; }
   double voxelSize() const { return known_.voxelSize(); }
 
-  /// Whether it says what is at this place, matter or nothing.
-  bool knows(const Eigen::Vector3f& place) const;
+  /// Whether there is matter at this place; nothing where it does not say.
+  std::optional<bool> matterAt(const Eigen::Vector3f& place) const;
+
+  /// Distance of the farthest matter from the frame's origin [m]; nothing where no free space is
+  /// known, so that there may be more.
+  std::optional<float> reach() const;
 
   /// Where matter meets space that is known to be free; all matter where no free space is known.
   const std::vector<SurfacePoint>& surface() const { return surface_; }
@@ -55,6 +61,9 @@ class KnownMatter {
   std::vector<SurfacePoint> surface_;
   std::vector<Eigen::Vector3f> matter_;  ///< centres of its voxels
 };
+
+/// Everything that is known beforehand of both sides.
+using KnownPieces = std::vector<std::shared_ptr<const KnownMatter>>;
 
 /// Probability from its odds' logarithm is 1 / (1 + exp(-it)); the inverse. `probability` above 0
 /// and below 1.

@@ -30,13 +30,14 @@ class PriorEvidence {
   /// Nothing is known.
   PriorEvidence() = default;
 
-  /// `known` at most kMostPriors, a view that must outlive this.
-  PriorEvidence(const std::vector<KnownMatter>& known,
-                const std::vector<ContactHypotheses>& contacts, const FreeSpaceEvidence& free,
-                const PriorParameters& parameters, const FeatureParameters& feature, bool planar);
+  /// `known` at most kMostPriors.
+  PriorEvidence(const KnownPieces& known, const std::vector<ContactHypotheses>& contacts,
+                const FreeSpaceEvidence& free, const PriorParameters& parameters,
+                const FeatureParameters& feature, bool planar);
 
   int count() const { return static_cast<int>(known_.size()); }
   const KnownMatter& known(int piece) const { return *known_[piece]; }
+  const KnownPieces& pieces() const { return known_; }
 
   /// Adds to each place of a contact what the pieces in the mask say for it, in touches: those of
   /// one side only.
@@ -76,7 +77,7 @@ class PriorEvidence {
                     const FreeSpaceEvidence& free, const FeatureParameters& feature, bool planar);
   void comparePieces(const FreeSpaceEvidence& free, const FeatureParameters& feature, bool planar);
 
-  std::vector<const KnownMatter*> known_;
+  KnownPieces known_;
   double ball_radius_ = 0.0;
   std::vector<MaskedPoint> object_balls_;
   std::vector<MaskedPoint> world_balls_;

@@ -22,6 +22,11 @@ class SampledWorlds {
   HypothesisMask touching(const Eigen::Isometry3f& T_map_object,
                           int enough = kHypotheses - 1) const;
 
+  /// Mean over the worlds of the share of the places within the object's reach, at this pose in the
+  /// map frame, at which something may touch that is not known beforehand (UnknownPlaces): 1 where
+  /// nothing is known.
+  double unknownShareAt(const Eigen::Isometry3f& T_map_object) const;
+
   /// Probability that the true world is among those in the mask.
   static double shareOf(HypothesisMask mask) {
     return static_cast<double>(__builtin_popcountll(mask)) / kHypotheses;

@@ -10,6 +10,7 @@
 #include "smore/mapping/free_space_evidence.h"
 #include "smore/mapping/joint_distribution.h"
 #include "smore/mapping/matter_overlap.h"
+#include "smore/mapping/unknown_places.h"
 
 namespace smore {
 
@@ -49,6 +50,11 @@ class WorldsAtUnit {
   HypothesisMask touching(const Eigen::Isometry3f& T_map_object,
                           int enough = kHypotheses - 1) const;
 
+  /// As UnknownPlaces::worldsAt, within the reach.
+  double unknownWorldsAt(const Eigen::Isometry3f& T_map_object) const {
+    return unknown_.worldsAt(T_map_object);
+  }
+
   /// Centres of the balls of touched matter, in the object's and the map's frame.
   const std::vector<MaskedPoint>& object() const { return object_; }
   const std::vector<MaskedPoint>& world() const { return world_; }
@@ -74,6 +80,7 @@ class WorldsAtUnit {
   double contact_distance_;
   double known_radius_;
   HypothesisMask members_;
+  UnknownPlaces unknown_;
   std::vector<TouchingPose> touching_poses_;
   std::vector<MaskedPoint> object_;
   std::vector<MaskedPoint> world_;

@@ -28,8 +28,8 @@ class ContactRisk {
 
   /// Probability that a motion along `path` ends at a contact: with what is known, or with matter
   /// that nothing has touched yet. How far it goes without the latter follows from how far the
-  /// object has moved so far, in cells of poses (FreeSpaceParameters), at no scale of its own
-  /// docs/planning.md (P1).
+  /// object has moved so far, in cells of poses (FreeSpaceParameters), each as far as something
+  /// unknown may touch there, at no scale of its own: docs/planning.md (P1).
   double ofMotion(const Path& path) const;
 
   /// What the outcome of a motion along `path` will tell about the sampled worlds [nat]: the
@@ -38,18 +38,25 @@ class ContactRisk {
   /// surface.
   double informationOf(const Path& path) const;
 
+  /// What a pose counts of a cell that is entered for the first time: nothing where one in its cell
+  /// was free, else the share of the places around it at which something may touch that is not
+  /// known beforehand.
+  double freshAt(const Pose& T_world_object) const;
+
+  /// Probability that nothing has ended a motion but matter that is known, once it has entered
+  /// `fresh` cells of poses for the first time.
+  double noSurpriseIn(double fresh) const;
+
   const Worlds& worlds() const { return *worlds_; }
 
  private:
-  /// Probability that nothing has ended a motion but matter that is known, once it has entered
-  /// `fresh` cells of poses for the first time.
-  double noSurpriseIn(int fresh) const;
   /// Places on a held thing, as large as it may be, that contacts tell apart.
   double patchesOfObject() const;
 
   std::shared_ptr<const Worlds> worlds_;
   double check_distance_;
   double check_angle_;
+  double known_cells_;
 };
 
 }  // namespace smore
