@@ -28,13 +28,18 @@ constexpr std::size_t kMostSamples = 64;
 
 // Cells that were free, each as far as something unknown might have touched there; one at least.
 double knownCells(const Worlds& worlds) {
-  Path free;
-  for (const Path& track : worlds.tracks) free.insert(free.end(), track.begin(), track.end());
-  const std::size_t step = 1 + free.size() / kMostSamples;
+  std::size_t poses = 0;
+  for (const Path& track : worlds.tracks) poses += track.size();
+  const std::size_t step = 1 + poses / kMostSamples;
   double sum = 0.0;
   int count = 0;
-  for (std::size_t i = 0; i < free.size(); i += step, ++count) {
-    sum += worlds.sampled.unknownShareAt(worlds.frame.toMap(free[i]).cast<float>());
+  std::size_t next = 0;
+  for (const Path& track : worlds.tracks) {
+    for (const Pose& pose : track) {
+      if (next++ % step != 0) continue;
+      sum += worlds.sampled.unknownShareAt(worlds.frame.toMap(pose).cast<float>());
+      ++count;
+    }
   }
   const double share = count > 0 ? sum / count : 1.0;
   return std::max(1.0, share * static_cast<double>(worlds.free.count()));

@@ -12,9 +12,9 @@ namespace {
 // Of 128 places drawn at random, more than three standard deviations.
 constexpr double kSampling = 0.14;
 
-// A wall from x = 0.5 on, and a metre of free space before it.
+// A wall from x = 0.5 on, and 1.5 m of free space before it.
 Prior wall(double confidence = 0.999) {
-  return boxKnown({0.5, -1.0, -0.1}, {1.5, 1.0, 0.1}, 1.0, confidence);
+  return boxKnown({0.5, -1.0, -0.1}, {1.5, 1.0, 0.1}, 1.5, confidence);
 }
 
 double shareAt(const JointBelief& belief, double x) {
@@ -53,7 +53,7 @@ TEST(UnknownPlaces, AreTheMatterWithinReachWhereTheWorldIsKnown) {
   belief.know(MapSide::kWorld, wall());
   EXPECT_EQ(shareAt(belief, -0.15), 0.0);
   EXPECT_NEAR(shareAt(belief, 0.5), 0.5, kSampling);
-  EXPECT_EQ(shareAt(belief, 9.0), 1.0);  // beyond of what is known
+  EXPECT_EQ(shareAt(belief, 9.0), 1.0);  // beyond what is known
 }
 
 TEST(UnknownPlaces, AreAllInWorldsThatDoNotHoldThePiecesToBeTrue) {
