@@ -13,6 +13,7 @@ TREE_DEPTH = 16
 KEY_ORIGIN = 1 << (TREE_DEPTH - 1)
 NODE = struct.Struct("<fB")
 FIRST_LINE = b"# Octomap OcTree file"
+OCCUPIED = 0.5  # probability from which a voxel counts as matter, as in the paper
 
 
 class OctreeFileError(Exception):

@@ -10,6 +10,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 import plot_reliability
+from table_of_scores import number
 
 from experiments import trials as running
 from experiments.trials import Trial, evidence_of, recorded, reported_seeds
@@ -42,10 +43,9 @@ def trials(directory, quick):
 
 
 def scores(files, output):
-    """Of smore_score, all files together."""
+    """Of smore_score, all files together; subprocess.CalledProcessError where that fails."""
     program = running.PROGRAM.parent / "smore_score"
-    subprocess.run([str(program), "--quick", "--output", str(output), *map(str, files)], check=True,
-                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    subprocess.run([str(program), "--quick", "--output", str(output), *map(str, files)], check=True)
     return json.loads(output.read_text())["groups"][-1]
 
 
@@ -68,10 +68,6 @@ def draw_voxels(by_place):
     return figure
 
 
-def told(value):
-    return "-" if value is None else f"{value:.2f}"
-
-
 def table_of_voxels(by_place):
     head = f"| | map | voxels | calibration error | largest in bins of {ENOUGH} and more |"
     lines = [head, "|---|---|---|---|---|"]
@@ -80,7 +76,7 @@ def table_of_voxels(by_place):
             voxels = score[f"{side}_voxels"]
             lines.append(
                 f"| {where} | {side} | {voxels['voxels']} | {voxels['calibration_error']:.3f} | "
-                f"{told(voxels['largest_error'])} |")
+                f"{number(voxels['largest_error'], 2)} |")
     return "\n".join(lines) + "\n"
 
 

@@ -8,6 +8,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from octree_file import OCCUPIED
 from scene_geometry import Scene
 
 from experiments import in_space, sweep
@@ -25,7 +26,6 @@ TOUCHES, QUICK_TOUCHES = 30, 10
 COUNT, QUICK_COUNT = 2, 1
 SHOWN = 4  # numbers of touches at which the maps are scored
 SEED = reported_seeds(1)[0]  # of the trials that are drawn
-OCCUPIED = 0.5
 FARTHEST = 12  # distance that the histogram tells apart [cm]
 
 

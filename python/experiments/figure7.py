@@ -18,8 +18,6 @@ METHODS = ("smore", "smore_told", "chs", "blocked", "paper", "cspace")
 COUNT, QUICK_COUNT = 10, 2
 SAC_COUNT, SAC_INTERACTIONS = 5, 20000
 QUICK_SAC_COUNT, QUICK_SAC_INTERACTIONS = 1, 1000
-# Of collisions, where others than the program's: chs finds no further way, plans of blocked take ever longer.
-LIMITS = {"chs": 100, "blocked": 100}
 QUICK_LIMIT = 40  # of collisions, of which the slower methods need hundreds: crosses in the figure
 PAPER = {"paper": 96, "cspace": 548, "sac": 3136}  # its means
 NAMES = {"smore_told": "smore, told\nthe object", "chs": "chs, told\nthe object"}
@@ -35,16 +33,12 @@ def sac_trials(quick):
 
 def trials(directory, quick):
     seeds = reported_seeds(QUICK_COUNT if quick else COUNT)
+    most = QUICK_LIMIT if quick else None
     ours = [
-        methods.trial(directory, SCENE, method, seed, limited(method, quick)) for method in METHODS for seed in seeds
+        methods.trial(directory, SCENE, method, seed, methods.limited(method, most))
+        for method in METHODS for seed in seeds
     ]
     return ours + sac_trials(quick)
-
-
-def limited(method, quick):
-    """Options of smore_experiment."""
-    limit = QUICK_LIMIT if quick else LIMITS.get(method)
-    return ("--max-collisions", str(limit)) if limit else ()
 
 
 def interval_of_mean(counts):

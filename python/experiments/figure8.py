@@ -7,6 +7,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from octree_file import OCCUPIED
 from scene_geometry import Scene, transform
 
 from experiments import in_space, methods
@@ -21,7 +22,6 @@ LIMIT, QUICK_LIMIT = 400, 20  # collisions
 SEED = reported_seeds(1)[0]  # of the trials that are drawn
 POSES = 4  # of a way that are drawn
 WORLD, WAY = "#777777", plt.cm.plasma
-OCCUPIED = 0.5
 PLACE = 0.03  # edge of the cubes that contacts are sorted into [m]
 BEHIND = 0.1  # margin around what is shown [m]
 

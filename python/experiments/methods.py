@@ -25,6 +25,17 @@ METHODS = {
 }
 
 
+# Of collisions, at which methods are given up: chs finds no further way, plans of blocked take ever longer.
+LIMITS = {"chs": 100, "blocked": 100}
+
+
+def limited(method, most=None):
+    """Options of smore_experiment for a trial of a method of this list: given up at `most` collisions, where there is
+    such a number, and at its own limit."""
+    limits = [limit for limit in (most, LIMITS.get(method)) if limit]
+    return ("--max-collisions", str(min(limits))) if limits else ()
+
+
 def told_scene(directory, scene):
     """The path of a file that says of a scene of config/scenarios that its object is known, written to `directory`."""
     directory.mkdir(parents=True, exist_ok=True)

@@ -18,22 +18,17 @@ PLANAR = (
 )
 SPATIAL = ("hanger_on_rail", "hook_on_rail", "slit", "window")
 COUNT, LIMIT = 3, 200  # trials of each, collisions of a trial
-LIMITS = {"chs": 100, "blocked": 100}  # their plans take ever longer
 QUICK_SCENES, QUICK_COUNT, QUICK_LIMIT = ("one_peg", "c_on_peg", "hook_on_peg"), 1, 40
 
 
 def trials(directory, quick):
     scenes = QUICK_SCENES if quick else PLANAR + SPATIAL
     seeds = reported_seeds(QUICK_COUNT if quick else COUNT)
+    most = QUICK_LIMIT if quick else LIMIT
     return [
-        methods.trial(directory, scene, method, seed, limited(method, quick))
+        methods.trial(directory, scene, method, seed, methods.limited(method, most))
         for scene in scenes for method in methods.METHODS for seed in seeds
     ]
-
-
-def limited(method, quick):
-    """Options of smore_experiment."""
-    return ("--max-collisions", str(QUICK_LIMIT if quick else LIMITS.get(method, LIMIT)))
 
 
 def table(results):

@@ -9,9 +9,10 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-import octree_file
-from plot_results import COLORS
+from octree_file import OCCUPIED, read_octree
+from plot_results import COLORS, LEAST
 from scene_geometry import Scene
+from table_of_scores import number
 
 from experiments import replays
 from experiments.surface import Surface, is_inside
@@ -33,7 +34,6 @@ RECORDED_COUNT, QUICK_RECORDED_COUNT = 5, 1  # trials whose evidence is told ane
 RATE = 500  # of the samples [1/s]
 ONE_IN = (1, 10, 50, 250)  # of them kept
 ORDERS = 4
-OCCUPIED = 0.5
 
 
 def trials(directory, quick):
@@ -59,10 +59,6 @@ def mean_or_none(values):
     return statistics.mean(known) if known else None
 
 
-def told(value):
-    return "-" if value is None else f"{value:.2f}"
-
-
 def measured(records, name):
     """Collisions, how many reached the goal, and precision of the object's and the world's map."""
     results = [record["result"] for trial, record in records.items() if trial.startswith(f"{name}/")]
@@ -74,7 +70,7 @@ def draw_sweep(axes, records, key, values, label):
     """Each trial a point, a bar at the mean; the methods side by side."""
     for shift, method in zip((-0.12, 0.12), SCENES):
         for place, value in enumerate(values):
-            counts = np.maximum(measured(records, f"{method}/{key}={value}")[0], 0.8)
+            counts = np.maximum(measured(records, f"{method}/{key}={value}")[0], LEAST)
             axes.scatter([place + shift] * len(counts), counts, s=9, color=COLORS[method], alpha=0.4)
             name = f"{method}, {SCENES[method]}".replace("_", " ") if place == 0 else None
             axes.scatter([place + shift], [counts.mean()], s=90, marker="_", color=COLORS[method], label=name)
@@ -115,7 +111,7 @@ class Maps:
     def __init__(self, directory, truth):
         self.occupied, right = set(), []
         for side, solids in truth.items():
-            centers, _sizes, probabilities, voxel = octree_file.read_octree(directory / f"{side}.ot")
+            centers, _sizes, probabilities, voxel = read_octree(directory / f"{side}.ot")
             centers = centers[probabilities >= OCCUPIED]
             self.occupied |= {(side, *(center / voxel).round(1)) for center in centers}
             right += list(solids.are_near(centers, voxel))
@@ -155,7 +151,7 @@ def table_of_sweeps(records):
                 counts, reached, maps = measured(records, f"{method}/{key}={value}")
                 lines.append(
                     f"| {method} | {key} | {value} | {statistics.mean(counts):.1f} | {max(counts)} | "
-                    f"{reached} of {len(counts)} | {told(maps[0])} | {told(maps[1])} |"
+                    f"{reached} of {len(counts)} | {number(maps[0], 2)} | {number(maps[1], 2)} |"
                 )
     return "\n".join(lines) + "\n"
 
@@ -166,10 +162,10 @@ def table_of_retold(by_method):
         for place, one_in in enumerate(ONE_IN):
             precision = mean_or_none([each.by_rate[place].precision for each in some])
             agreement = mean_or_none([each.agreements()[0][place] for each in some])
-            lines.append(f"| {method} | {RATE / one_in:g} a second | {told(precision)} | {told(agreement)} |")
+            lines.append(f"| {method} | {RATE / one_in:g} a second | {number(precision, 2)} | {number(agreement, 2)} |")
         precision = mean_or_none([maps.precision for each in some for maps in each.by_order])
         agreement = mean_or_none([each.agreements()[1] for each in some])
-        lines.append(f"| {method} | all, motions in another order | {told(precision)} | {told(agreement)} |")
+        lines.append(f"| {method} | all, motions in another order | {number(precision, 2)} | {number(agreement, 2)} |")
     return "\n".join(lines) + "\n"
 
 

@@ -10,9 +10,9 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from octree_file import OCCUPIED
 from scene_geometry import outline_mask, transform
 
-OCCUPIED = 0.5  # probability from which voxels are drawn, as in the paper
 WORLD_COLORS = LinearSegmentedColormap.from_list("world", ["#9a9a9a", "#000000"])
 OBJECT_COLORS = LinearSegmentedColormap.from_list("object", ["#fdc58f", "#a63603"])
 ENVIRONMENT, OBJECT, START, PLAN, WAY, LINE = "#4d4d4d", "#f2a65a", "#a63603", "#0072b2", "#56b4e9", "#cc79a7"

@@ -9,7 +9,7 @@
 namespace smore {
 namespace {
 
-// As fine as a hundredth of the space within reach.
+// They tell shares apart by a hundredth.
 constexpr int kPlaces = 128;
 
 float reachOfKnownObject(const KnownPieces& pieces, float otherwise) {
@@ -36,7 +36,7 @@ UnknownPlaces::UnknownPlaces(const BelievedPrior& prior, HypothesisMask members,
                              bool planar)
     : members_(members) {
   for (int piece = 0; piece < prior.evidence.count(); ++piece) {
-    pieces_.push_back({prior.evidence.pieces()[piece], prior.worlds[piece] & members});
+    pieces_.push_back({prior.evidence.pieces()[piece], prior.worlds[piece]});
   }
   if (pieces_.empty()) return;
   const auto largest = static_cast<float>(reach);

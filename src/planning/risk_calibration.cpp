@@ -17,7 +17,7 @@ constexpr double kDeviation = 0.7;
 // more than half of the worlds touch tells little there.
 constexpr double kShareAboveEven = 0.25;
 
-// The shifts that are told apart: five deviations about either mean.
+// The shifts that are told apart: four deviations and more about either mean.
 constexpr double kLeastShift = -3.0;
 constexpr double kStep = 0.1;
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Relative links of the Markdown pages lead to files, scripts and scenes that they name exist, prose is at most 120
-columns wide, quoted numbers are those of docs/benchmarks.md, and each numbered equation stands once and, where the
+"""Relative links of the Markdown pages lead to files and headings, scripts and scenes that they name exist, prose is at
+most 120 columns wide, quoted numbers are those of docs/benchmarks.md, and each numbered equation stands once and, where the
 code cites it, is there.
 
 A number is quoted as [6.6](docs/benchmarks.md "s_shape_perturbed smore mean"): first cells of the row, and the column.
@@ -12,6 +12,7 @@ import re
 from project import ROOT, code_files, files, report, say
 
 COLUMNS = 120  # of prose: a row of a table, a picture or a command stands in one line
+ANCHOR = re.compile(r"\]\((?!https?:)([^)#\s]*)#([^)\s]+)\)")
 LINK = re.compile(r"\]\((?!https?:|#|mailto:)([^)#\s]+)")
 NAMED = re.compile(r"\b(?:scripts|config|launch|python|docs|src|include|test|benchmark)/[\w./-]*\w")
 QUOTE = re.compile(r'\[([^\]]+)\]\([^)\s]*benchmarks\.md "([^"]+)"\)')
@@ -19,6 +20,12 @@ EQUATION = re.compile(r"^    .*\(([A-Z]\d+)\)$", re.MULTILINE)
 CITED = re.compile(r"(docs/\w+\.md) \(([A-Z]\d+)\)")
 
 PLACEHOLDER = re.compile(r"/[A-Z_]{2,}(\.\w+)?$")  # config/NODE.yaml: one of several
+
+
+def anchors(path):
+    """What links to the headings of a page end with."""
+    headings = re.findall(r"^#+ (.*)$", path.read_text(), re.MULTILINE)
+    return {re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
 def exists(path):
@@ -63,6 +70,10 @@ def problems(path, benchmarks):
         for target in LINK.findall(line):
             if not (path.parent / target).exists():
                 yield say(path, number, f"the link {target} leads nowhere")
+        for target, anchor in ANCHOR.findall(line):
+            page = path.parent / target if target else path
+            if page.suffix == ".md" and page.exists() and anchor not in anchors(page):
+                yield say(path, number, f"{page.name} has no heading #{anchor}")
         for name in NAMED.findall(LINK.sub("", line)):
             if not PLACEHOLDER.search(name) and not exists(ROOT / name):
                 yield say(path, number, f"{name} does not exist")

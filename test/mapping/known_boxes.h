@@ -23,7 +23,7 @@ inline Prior boxKnown(const Vec3& min, const Vec3& max, double margin, double co
   return prior;
 }
 
-/// A 4 cm wide bar that reaches 0.2 m ahead of the hand.
+/// The bar of wallObservations: 4 cm wide, it reaches 0.2 m ahead of the hand.
 inline Prior barKnown(double confidence = 0.999) {
   return boxKnown({0.0, -0.02, -0.1}, {0.2, 0.02, 0.1}, 0.2, confidence);
 }

@@ -12,12 +12,7 @@
 namespace smore {
 namespace {
 
-// The bar of wallObservations, which reaches 0.2 m ahead of the hand.
-Prior bar(double confidence = 0.999) {
-  return boxKnown({0.0, -0.02, -0.1}, {0.2, 0.02, 0.1}, 0.1, confidence);
-}
-
-// The wall that it is pushed against, with its front at `x`.
+// The wall that the bar of wallObservations is pushed against, with its front at `x`.
 Prior wall(double x, double confidence = 0.999) {
   return boxKnown({x, -0.2, -0.1}, {x + 0.1, 0.2, 0.1}, 0.1, confidence);
 }
@@ -28,7 +23,7 @@ double probabilityAt(const VoxelGrid& grid, const Vec3& place) {
 
 TEST(PriorBelief, KnownMatterIsInTheMapsBeforeAnythingIsTouched) {
   JointBelief belief(planarParameters());
-  belief.know(MapSide::kObject, bar());
+  belief.know(MapSide::kObject, barKnown());
   belief.know(MapSide::kWorld, wall(0.5));
   EXPECT_GT(probabilityAt(belief.object(), {0.1, 0.0, 0.0}), 0.9);
   EXPECT_GT(probabilityAt(belief.world(), {0.54, 0.1, 0.0}), 0.9);
@@ -46,7 +41,7 @@ TEST(PriorBelief, ATouchIsWhereTheKnownObjectIs) {
   // One push along x: by itself it could be anywhere on its line.
   const auto probabilityOfWall = [](bool is_known) {
     JointBelief belief(planarParameters());
-    if (is_known) belief.know(MapSide::kObject, bar());
+    if (is_known) belief.know(MapSide::kObject, barKnown());
     belief.observe(freeAt(Pose::Identity(), 0.0));
     belief.observe(contactAt(makePose({0.3, 0.0, 0.0}), {0.2, 0.0, 0.0}, {-1, 0, 0}));
     return probabilityAt(belief.world(), {0.515, 0.0, 0.0});
@@ -58,7 +53,7 @@ TEST(PriorBelief, ATouchIsWhereTheKnownObjectIs) {
 // Bar and wall overlapped at poses that were free. A shorter bar would do, or a farther wall.
 TEST(PriorBelief, OfTwoPiecesThatContradictOneAnotherTheLessSureIsGivenUp) {
   JointBelief belief(planarParameters());
-  belief.know(MapSide::kObject, bar());
+  belief.know(MapSide::kObject, barKnown());
   belief.know(MapSide::kWorld, wall(0.42, 0.1));
   observeAll(wallObservations(), &belief);
   EXPECT_LT(probabilityAt(belief.world(), {0.43, 0.15, 0.0}), 0.2);
@@ -67,7 +62,7 @@ TEST(PriorBelief, OfTwoPiecesThatContradictOneAnotherTheLessSureIsGivenUp) {
 
 TEST(PriorBelief, AWallThatIsThereIsKept) {
   JointBelief belief(planarParameters());
-  belief.know(MapSide::kObject, bar());
+  belief.know(MapSide::kObject, barKnown());
   belief.know(MapSide::kWorld, wall(0.5));
   observeAll(wallObservations(), &belief);
   EXPECT_GT(probabilityAt(belief.world(), {0.54, 0.15, 0.0}), 0.9);
@@ -77,7 +72,7 @@ TEST(PriorBelief, AWallThatIsThereIsKept) {
 // The bar would have been in the wall at a pose that was free: one of the two is wrong.
 TEST(PriorBelief, FreeSpaceAloneTellsThatTwoPiecesCannotBothBeTrue) {
   JointBelief belief(planarParameters());
-  belief.know(MapSide::kObject, bar());
+  belief.know(MapSide::kObject, barKnown());
   belief.know(MapSide::kWorld, boxKnown({-0.1, -0.2, -0.1}, {0.3, 0.2, 0.1}, 0.1));
   belief.observe(freeAt(Pose::Identity(), 0.0));
   const double object = probabilityAt(belief.object(), {0.1, 0.0, 0.0});
@@ -88,7 +83,7 @@ TEST(PriorBelief, FreeSpaceAloneTellsThatTwoPiecesCannotBothBeTrue) {
 TEST(PriorBelief, IsOverruledByMoreTouchesTheSurerItIs) {
   const auto touchesUntilGivenUp = [](double confidence) {
     JointBelief belief(planarParameters());
-    belief.know(MapSide::kObject, bar());
+    belief.know(MapSide::kObject, barKnown());
     belief.know(MapSide::kWorld, boxKnown({1.5, -0.1, -0.1}, {1.6, 0.1, 0.1}, 1.9, confidence));
     int touches = 0;
     for (const ContactObservation& observation : wallObservations()) {
@@ -107,7 +102,7 @@ TEST(PriorBelief, IsOverruledByMoreTouchesTheSurerItIs) {
 
 TEST(PriorBelief, NeitherTheOrderNorARepetitionLeavesATrace) {
   JointBelief reference(planarParameters());
-  reference.know(MapSide::kObject, bar());
+  reference.know(MapSide::kObject, barKnown());
   reference.know(MapSide::kWorld, wall(0.5));
   observeAll(wallObservations(), &reference);
   std::vector<ContactObservation> observations = wallObservations();
@@ -115,8 +110,8 @@ TEST(PriorBelief, NeitherTheOrderNorARepetitionLeavesATrace) {
   JointBelief belief(planarParameters());
   belief.know(MapSide::kWorld, wall(0.5));
   observeAll(observations, &belief);
-  belief.know(MapSide::kObject, bar());
-  belief.know(MapSide::kObject, bar());
+  belief.know(MapSide::kObject, barKnown());
+  belief.know(MapSide::kObject, barKnown());
   EXPECT_EQ(difference(reference.world(), belief.world()).first, 0.0);
   EXPECT_EQ(difference(reference.object(), belief.object()).first, 0.0);
 }
