@@ -37,6 +37,11 @@ void EvidenceAtUnit::removeContact(std::uint64_t id) {
   contacts_.erase(found);
 }
 
+bool EvidenceAtUnit::knows(std::uint64_t id) const {
+  return std::any_of(contacts_.begin(), contacts_.end(),
+                     [id](const ContactHypotheses& contact) { return contact.id == id; });
+}
+
 DrawnEvidence EvidenceAtUnit::draw(const KnownPieces& known, std::uint64_t seed) const {
   DrawnEvidence result;
   result.prior = PriorEvidence(known, contacts_, free_, parameters_.prior, parameters_.feature,
@@ -47,11 +52,11 @@ DrawnEvidence EvidenceAtUnit::draw(const KnownPieces& known, std::uint64_t seed)
 }
 
 UnitEvidence EvidenceAtUnit::evidenceOf(const std::vector<JointSample>& samples,
-                                        std::size_t contacts) const {
+                                        std::size_t contacts, double widest) const {
   const auto too_far = static_cast<int>(contacts - contacts_.size());
-  return {costOf(samples, too_far),
-          objectAgreement(contacts_, samples, parameters_.distribution.object.scale,
-                          parameters_.feature.reach, frame_.planar(), too_far)};
+  const TouchScales scales{parameters_.distribution.object.scale, parameters_.feature.reach, widest,
+                           frame_.planar()};
+  return {costOf(samples, too_far), objectAgreement(contacts_, samples, scales, too_far)};
 }
 
 double EvidenceAtUnit::costOf(const std::vector<JointSample>& samples,

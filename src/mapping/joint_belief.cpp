@@ -47,7 +47,8 @@ void JointBelief::observe(const ContactObservation& observation) {
   if (!isFinite(observation.T_world_object)) return;
   (void)voxelAt(observation.T_world_object.translation(), parameters_.voxel_size);  // in range
   if (observation.state == ContactState::kFree) addFree(observation.T_world_object);
-  if (observation.state == ContactState::kContact) noteContact(observation);
+  // The line of a contact that was short comes when it has ended.
+  if (observation.state == ContactState::kContact || observation.line) noteContact(observation);
 }
 
 void JointBelief::change() {
@@ -57,7 +58,9 @@ void JointBelief::change() {
 
 void JointBelief::noteContact(const ContactObservation& observation) {
   if (observation.line && addContact(observation.T_world_object, *observation.line)) {
-    poses_without_line_[observation.contact_id] = std::nullopt;
+    std::optional<StampedPose>& without_line = poses_without_line_[observation.contact_id];
+    if (without_line) change();
+    without_line = std::nullopt;
     return;
   }
   const StampedPose touched{observation.time, toMap(observation.T_world_object)};
@@ -71,7 +74,8 @@ void JointBelief::noteContact(const ContactObservation& observation) {
 void JointBelief::addFree(const Pose& T_world_object) {
   if (!free_.add(T_world_object)) return;
   trail_.push_back(free_.centerOf(T_world_object));
-  if (!contacts_.empty()) ++revision_;  // without contacts the maps stay empty
+  // Without contacts and prior knowledge the maps stay empty.
+  if (!contacts_.empty() || !known_.empty()) ++revision_;
   bool news = at_unit_.empty();
   for (auto& [units, evidence] : at_unit_) news = evidence.addFree(toMap(trail_.back())) || news;
   if (news) worlds_ = nullptr;
@@ -163,7 +167,7 @@ const DrawnEvidence& JointBelief::drawnAt(int index, DrawnByUnit* drawn) const {
 std::array<int, kUnits> JointBelief::worldsByUnit(DrawnByUnit* drawn) const {
   std::array<int, kUnits> all_alike{};
   all_alike[parameters_.unit > 0.0 ? 0 : kUnits / 2] = kHypotheses;
-  const std::vector<LeverOfContact> known = leversOfKnownObject();
+  const std::vector<LeverOfContact> known = leversOfObject(known_);
   if (parameters_.unit > 0.0 || (levers_.empty() && known.empty())) return all_alike;
   std::vector<LeverOfContact> levers;
   levers.reserve(levers_.size());
@@ -171,24 +175,15 @@ std::array<int, kUnits> JointBelief::worldsByUnit(DrawnByUnit* drawn) const {
   const std::array<double, kUnits> by_levers = unitProbabilities(levers, frame_.planar(), known);
   const std::array<int, kUnits> likely = worldsOfUnits(by_levers, kStrata, kStrata);
   while (likely[drawn->held] == 0) ++drawn->held;
+  int largest = kUnits - 1;
+  while (likely[largest] == 0) --largest;
+  const double widest =
+      inMetres(parameters_, unitOfLength(largest), unitOfLength(largest)).feature.reach;
   const auto evidence = [&](int index) {
     const std::vector<JointSample>& samples = drawnAt(index, drawn).samples;
-    return atUnit(index, *drawn).evidenceOf(samples, contacts_.size());
+    return atUnit(index, *drawn).evidenceOf(samples, contacts_.size(), widest);
   };
   return worldsOfUnits(probabilitiesByEvidence(by_levers, kStrata, evidence), kHypotheses, kStrata);
-}
-
-// Of contacts with its surface, square to it.
-std::vector<LeverOfContact> JointBelief::leversOfKnownObject() const {
-  std::vector<LeverOfContact> levers;
-  for (const auto& known : known_) {
-    if (known->side() != MapSide::kObject) continue;
-    for (const KnownMatter::SurfacePoint& point : known->surface()) {
-      const Eigen::Vector3f across = point.place - point.place.dot(point.inward) * point.inward;
-      levers.push_back({across.norm(), 0.0, Vec3::Zero()});
-    }
-  }
-  return levers;
 }
 
 // Made anew from all observations where the unit has become likely.
@@ -289,6 +284,10 @@ WorldsAtUnit JointBelief::worldsAt(const EvidenceAtUnit& evidence,
   for (const auto& [contact_id, touched] : poses_without_line_) {
     if (!touched) continue;
     worlds.setTouching(touched->T_map_object.cast<float>(), lengths.feature.reach);
+  }
+  for (const auto& [id, contact] : contacts_) {
+    if (evidence.knows(id)) continue;
+    worlds.setTouching(toMap(contact.T_world_object).cast<float>(), lengths.feature.reach);
   }
   for (const Pose& T_map_object :
        repeatedTouches(touchedPoses(), lengths.feature.tolerance, lengths.feature.reach)) {

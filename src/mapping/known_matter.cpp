@@ -141,4 +141,17 @@ std::vector<Eigen::Vector3f> KnownMatter::balls(float radius) const {
   return result;
 }
 
+std::vector<LeverOfContact> leversOfObject(const KnownPieces& known) {
+  std::vector<LeverOfContact> levers;
+  for (const auto& piece : known) {
+    if (piece->side() != MapSide::kObject) continue;
+    for (const KnownMatter::SurfacePoint& point : piece->surface()) {
+      if (point.inward.isZero()) continue;  // of a cloud: which way a contact would push is unknown
+      const Eigen::Vector3f across = point.place - point.place.dot(point.inward) * point.inward;
+      levers.push_back({across.norm(), 0.0, Vec3::Zero()});
+    }
+  }
+  return levers;
+}
+
 }  // namespace smore

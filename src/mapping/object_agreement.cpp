@@ -8,17 +8,19 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
+// Of a place that may be anywhere within a distance.
+double evenDensity(double reach, bool planar) {
+  return planar ? 1.0 / (kPi * reach * reach) : 3.0 / (4.0 * kPi * reach * reach * reach);
+}
+
 // The touches on the object in one sample; those before it foresee the next one.
 class ForeseenTouches {
  public:
-  ForeseenTouches(double spread, double reach, bool planar)
-      : spread_(spread),
-        peak_(planar ? 1.0 / (kPi * spread * spread)
-                     : 1.0 / (kPi * kPi * spread * spread * spread)),
-        anywhere_(planar ? 1.0 / (kPi * reach * reach)
-                         : 3.0 / (4.0 * kPi * reach * reach * reach)) {}
-
-  double anywhere() const { return std::log(anywhere_); }
+  explicit ForeseenTouches(const TouchScales& scales)
+      : spread_(scales.spread),
+        peak_(scales.planar ? 1.0 / (kPi * spread_ * spread_)
+                            : 1.0 / (kPi * kPi * spread_ * spread_ * spread_)),
+        anywhere_(evenDensity(scales.reach, scales.planar)) {}
 
   /// Log density of the next touch, which then foresees others.
   double add(const Eigen::Vector3f& touch) {
@@ -42,18 +44,18 @@ class ForeseenTouches {
 }  // namespace
 
 double objectAgreement(const std::vector<ContactHypotheses>& contacts,
-                       const std::vector<JointSample>& samples, double spread, double reach,
-                       bool planar, int elsewhere) {
+                       const std::vector<JointSample>& samples, const TouchScales& scales,
+                       int elsewhere) {
+  const double of_false_contact = std::log(evenDensity(scales.widest, scales.planar));
   double sum = 0.0;
   for (const JointSample& sample : samples) {
-    ForeseenTouches touches(spread, reach, planar);
-    sum += elsewhere * touches.anywhere();
+    ForeseenTouches touches(scales);
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const int i = sample.places[k];
-      sum += i == kFalseContact ? touches.anywhere() : touches.add(contacts[k].object.at(i));
+      sum += i == kFalseContact ? of_false_contact : touches.add(contacts[k].object.at(i));
     }
   }
-  return sum / static_cast<double>(samples.size());
+  return sum / static_cast<double>(samples.size()) + elsewhere * of_false_contact;
 }
 
 }  // namespace smore

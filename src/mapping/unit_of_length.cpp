@@ -92,8 +92,13 @@ double valueOf(const UnitEvidence& evidence) {
 
 using EvidenceOfUnits = std::map<int, UnitEvidence>;
 
-// Of the units that are likely by their levers, and of smaller ones as long as they are better. Few
-// touches agree by chance: that they do counts where it leads to smaller units.
+bool isBearable(const std::pair<const int, UnitEvidence>& of_unit) {
+  return of_unit.second.cost <= kBearable;
+}
+
+// Of the units that are likely by their levers and, where none of them is bearable, of smaller ones
+// as long as they are better: too small a one cannot reach what a larger one explains. Few touches
+// agree by chance: that they do counts where it leads to smaller units.
 EvidenceOfUnits evidenceOfUnits(const std::array<double, kUnits>& by_levers, int strata,
                                 const std::function<UnitEvidence(int)>& evidence) {
   const std::array<int, kUnits> likely = worldsOfUnits(by_levers, strata, strata);
@@ -103,10 +108,12 @@ EvidenceOfUnits evidenceOfUnits(const std::array<double, kUnits>& by_levers, int
   }
   const int smallest = result.begin()->first;
   int best = smallest;
-  for (int i = smallest - 1; i >= 0 && result[best].cost > kBearable; --i) {
+  bool explained = std::any_of(result.begin(), result.end(), isBearable);
+  for (int i = smallest - 1; i >= 0 && !explained; --i) {
     result[i] = evidence(i);
     if (valueOf(result[i]) <= valueOf(result[best])) break;
     best = i;
+    explained = result[best].cost <= kBearable;
   }
   if (best == smallest) {
     for (auto& [index, of_unit] : result) of_unit.agreement = 0.0;
@@ -150,10 +157,7 @@ std::array<double, kUnits> probabilitiesByEvidence(
     const std::array<double, kUnits>& by_levers, int strata,
     const std::function<UnitEvidence(int index)>& evidence) {
   const EvidenceOfUnits known = evidenceOfUnits(by_levers, strata, evidence);
-  const bool bearable = std::all_of(known.begin(), known.end(), [](const auto& of_unit) {
-    return of_unit.second.cost <= kBearable;
-  });
-  if (bearable) return by_levers;
+  if (std::all_of(known.begin(), known.end(), isBearable)) return by_levers;
   std::array<double, kUnits> result = widened(by_levers);
   for (int i = 0; i < kUnits; ++i) result[i] = std::log(result[i]) + valueAt(i, known);
   exponentiate(&result);

@@ -93,7 +93,7 @@ TEST(BeliefScale, AThinThingMayReachFar) {
     EXPECT_DOUBLE_EQ(evidence.parameters().feature.reach, reach);
     EXPECT_DOUBLE_EQ(evidence.parameters().feature.radius, parameters.feature.radius * kBreadth);
     EXPECT_EQ(evidence.contacts().size(), reach > kLever ? 1U : 0U);
-    const double cost = evidence.evidenceOf(evidence.draw({}, 1).samples, 1).cost;
+    const double cost = evidence.evidenceOf(evidence.draw({}, 1).samples, 1, reach).cost;
     if (reach > kLever) {
       EXPECT_LT(cost, 1.0);
     } else {

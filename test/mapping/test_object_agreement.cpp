@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kSpread = 0.02;
 constexpr double kReach = 0.6;
+constexpr double kWidest = 1.5;
 
 // Contacts that have one place each, and the sample that has them there.
 struct Touches {
@@ -26,12 +27,12 @@ struct Touches {
     sample.places.push_back(0);
   }
   double agreement(double spread, double reach, bool planar, int elsewhere = 0) const {
-    return objectAgreement(contacts, {sample}, spread, reach, planar, elsewhere);
+    return objectAgreement(contacts, {sample}, {spread, reach, kWidest, planar}, elsewhere);
   }
 };
 
-double anywhere(bool planar) {
-  return planar ? 1.0 / (M_PI * kReach * kReach) : 0.75 / (M_PI * std::pow(kReach, 3));
+double anywhere(bool planar, double reach = kReach) {
+  return planar ? 1.0 / (M_PI * reach * reach) : 0.75 / (M_PI * std::pow(reach, 3));
 }
 
 TEST(ObjectAgreement, TheFirstTouchMayBeAnywhere) {
@@ -39,10 +40,20 @@ TEST(ObjectAgreement, TheFirstTouchMayBeAnywhere) {
     Touches touches;
     touches.add({0.1, 0.2, 0.0});
     EXPECT_NEAR(touches.agreement(kSpread, kReach, planar), std::log(anywhere(planar)), 1e-12);
-    EXPECT_NEAR(touches.agreement(kSpread, kReach, planar, 2), 3.0 * std::log(anywhere(planar)),
-                1e-12);
+  }
+}
+
+// Neither what is held to be false nor what is out of reach is better explained by a smaller reach.
+TEST(ObjectAgreement, AFalseContactSaysTheSameWhateverTheReach) {
+  for (const bool planar : {true, false}) {
+    Touches touches;
+    touches.add({0.1, 0.2, 0.0});
     touches.sample.places[0] = kFalseContact;
-    EXPECT_NEAR(touches.agreement(kSpread, kReach, planar), std::log(anywhere(planar)), 1e-12);
+    const double of_false_contact = std::log(anywhere(planar, kWidest));
+    for (const double reach : {0.1 * kReach, kReach}) {
+      EXPECT_NEAR(touches.agreement(kSpread, reach, planar), of_false_contact, 1e-12);
+      EXPECT_NEAR(touches.agreement(kSpread, reach, planar, 2), 3.0 * of_false_contact, 1e-12);
+    }
   }
 }
 

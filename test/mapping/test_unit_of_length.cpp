@@ -163,6 +163,20 @@ TEST(UnitOfLength, AgreementByChanceCountsForNothingWhereTheLeversAreBorneOut) {
   EXPECT_NEAR(found(4.0)[15] / found(4.0)[9], std::exp(-2.0), 0.02);
 }
 
+// As where a contact is out of the smallest one's reach: a touch far from the hand says that things
+// are large, not that they are thin.
+TEST(UnitOfLength, NoSmallerOneIsAskedWhereALargerOneExplainsAll) {
+  std::array<double, kUnits> by_levers{};
+  for (const int index : {9, 12, 15}) by_levers[index] = 1.0 / 3.0;
+  std::vector<int> asked;
+  const auto found = probabilitiesByEvidence(by_levers, 3, [&asked](int index) {
+    asked.push_back(index);
+    return UnitEvidence{index == 15 ? 0.0 : 4.0, -20.0 * index};
+  });
+  EXPECT_EQ(asked, std::vector<int>({9, 12, 15}));
+  EXPECT_GT(found[15], found[9]);
+}
+
 // What contradicts at every unit, such as lines that are known badly, says nothing of it.
 TEST(UnitOfLength, WhatIsEqualEverywhereLeavesTheLeversTheirSay) {
   Explained explained;

@@ -47,13 +47,16 @@ class EvidenceAtUnit {
   /// says nothing.
   void addContact(const ObservedContact& contact);
   void removeContact(std::uint64_t id);
+  /// Whether a contact was added, and its line passes near enough for this unit.
+  bool knows(std::uint64_t id) const;
 
   /// By `seed`. `known`: beforehand.
   DrawnEvidence draw(const KnownPieces& known, std::uint64_t seed) const;
 
   /// What the draws say of the unit, on average. Of all `contacts` those whose lines pass too far
-  /// from the hand for it are false.
-  UnitEvidence evidenceOf(const std::vector<JointSample>& samples, std::size_t contacts) const;
+  /// from the hand for it are false. `widest`: as in TouchScales.
+  UnitEvidence evidenceOf(const std::vector<JointSample>& samples, std::size_t contacts,
+                          double widest) const;
 
   /// Explanations of the contacts: those of `members` are taken evenly from the draws, the others
   /// explain nothing.

@@ -91,7 +91,6 @@ class JointBelief : public TwinMap {
   };
   const DrawnEvidence& drawnAt(int index, DrawnByUnit* drawn) const;
   std::array<int, kUnits> worldsByUnit(DrawnByUnit* drawn) const;
-  std::vector<LeverOfContact> leversOfKnownObject() const;
   EvidenceAtUnit& atUnit(int index, const DrawnByUnit& drawn) const;
   Worlds infer() const;
   void forgetOtherUnits(const DrawnByUnit& drawn) const;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "smore/mapping/prior.h"
+#include "smore/mapping/unit_of_length.h"
 
 namespace smore {
 
@@ -64,6 +65,10 @@ class KnownMatter {
 
 /// Everything that is known beforehand of both sides.
 using KnownPieces = std::vector<std::shared_ptr<const KnownMatter>>;
+
+/// Levers that contacts all over the known surface of the object would have, square to it; none
+/// where no normal of it is known.
+std::vector<LeverOfContact> leversOfObject(const KnownPieces& known);
 
 /// Probability from its odds' logarithm is 1 / (1 + exp(-it)); the inverse. `probability` above 0
 /// and below 1.

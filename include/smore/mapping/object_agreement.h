@@ -8,14 +8,22 @@
 
 namespace smore {
 
+/// Where a touch on the object is expected.
+struct TouchScales {
+  double spread;  ///< around an earlier one: scale of Student's t [m], positive
+  double reach;   ///< from the hand, where nothing foresees it [m], positive
+  double widest;  ///< from the hand, where the contact is held to be false: the same for all units
+                  ///< of length that are compared [m], positive
+  bool planar;    ///< t has two degrees of freedom, else one; densities are in m^-2, else in m^-3
+};
+
 /// How well the touches on the object foresee one another, docs/belief.md (U2) [nats; the logarithm
-/// of a density in m^-2 where the motion is `planar`, in m^-3 where it is not], on average over the
-/// samples: each touch was expected at the touches before it in the order of the contacts, by
-/// Student's t with two degrees of freedom or one and the scale `spread` [m, positive], or, with
-/// the weight of one touch, anywhere within `reach` [m, positive] of the hand. So are contacts that
-/// are held to be false, and the `elsewhere` that the samples know nothing of.
+/// of a density], on average over the samples: each touch was expected at the touches before it in
+/// the order of the contacts or, with the weight of one touch, anywhere within the reach. Contacts
+/// that are held to be false, and the `elsewhere` that the samples know nothing of, say nothing of
+/// the object.
 double objectAgreement(const std::vector<ContactHypotheses>& contacts,
-                       const std::vector<JointSample>& samples, double spread, double reach,
-                       bool planar, int elsewhere);
+                       const std::vector<JointSample>& samples, const TouchScales& scales,
+                       int elsewhere);
 
 }  // namespace smore

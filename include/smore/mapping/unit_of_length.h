@@ -50,8 +50,8 @@ struct UnitEvidence {
 
 /// The same where the contacts may be explained better at one unit than at another: `evidence` says
 /// how well, at an index. It is asked for the units that worldsOfUnits takes of `by_levers` with so
-/// many `strata`; where the smallest of them costs more than the right one may, for smaller ones
-/// too, as long as each explains the contacts better than the one before, until one costs no more.
+/// many `strata`; where all of them cost more than the right one may, for smaller ones too, as long
+/// as each explains the contacts better than the one before, until one costs no more.
 /// Nothing contradicts a unit that is too small, which is why the levers go first. Matter that is
 /// thin against the lever that it is touched with is found so: what is assumed to be thick cannot
 /// stand where the object was free, and touches of a thin thing lie close together. How well
