@@ -123,7 +123,9 @@ ContactSensing::ContactSensing(const ContactSensingParameters& parameters, std::
       random_(seed) {}
 
 Result<ContactObservation> ContactSensing::process(const WrenchSample& raw) {
-  if (!std::isfinite(raw.time) || !isFinite(raw.wrench) || !isFinite(raw.T_world_object)) {
+  const bool sensor_is_finite = raw.sensor_object.allFinite() && raw.sensor_axes_object.allFinite();
+  if (!std::isfinite(raw.time) || !isFinite(raw.wrench) || !isFinite(raw.T_world_object) ||
+      !sensor_is_finite) {
     return Failure{
         "a wrench sample is not finite (time, wrench or pose); the sample is left out; check the "
         "sensor's driver and the robot's joint states"};

@@ -247,7 +247,8 @@ std::string MotionGuard::problemOf(const JointTrajectory& trajectory) const {
 }
 
 std::string MotionGuard::problemOfPoints(const JointTrajectory& ordered) const {
-  JointTrajectoryPoint last{0.0, state_.positions, {}};
+  // Where the trajectory does not begin now, the motion begins at rest (admit).
+  JointTrajectoryPoint last{0.0, state_.positions, std::vector<double>(joint_names_.size(), 0.0)};
   for (size_t place = 0; place < ordered.points.size(); ++place) {
     const JointTrajectoryPoint& point = ordered.points[place];
     const bool is_start = place == 0 && point.time == 0.0;

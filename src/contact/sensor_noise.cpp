@@ -5,6 +5,12 @@
 #include <cmath>
 
 namespace smore {
+namespace {
+
+// Over half an hour at 500 a second: who needs more has a threshold that is no use.
+constexpr double kMostNoiseSamples = 1e6;
+
+}  // namespace
 
 double maxwellTail(double length) {
   if (length <= 0.0) return 1.0;
@@ -25,7 +31,7 @@ double maxwellQuantile(double probability) {
 
 int noiseSamples(const SensorNoise& noise, double error, double probability) {
   const double ratio = maxwellQuantile(probability) * noise.force_stddev / error;
-  return std::max(1, static_cast<int>(std::ceil(ratio * ratio)));
+  return static_cast<int>(std::clamp(std::ceil(ratio * ratio), 1.0, kMostNoiseSamples));
 }
 
 }  // namespace smore

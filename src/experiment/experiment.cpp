@@ -209,7 +209,8 @@ std::vector<TrialResult> runExperiment(const Scenario& scenario,
     for (int i = next++; i < parameters.trials && !interrupted; i = next++) {
       TrialResult result =
           runGuarded(scenario, parameters, parameters.seed + i, interrupted, report);
-      if (!interrupted || result.success) results[i] = std::move(result);
+      const bool is_whole = !interrupted || (result.success && !result.after_touches);
+      if (is_whole) results[i] = std::move(result);
     }
   };
   std::vector<std::thread> threads;

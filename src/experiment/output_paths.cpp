@@ -17,8 +17,12 @@ std::string problemOfDirectory(const std::string& directory) {
 }
 
 std::string problemOfFile(const std::string& file) {
+  const std::filesystem::path directory = std::filesystem::path(file).parent_path();
+  std::error_code error;
+  if (!directory.empty()) std::filesystem::create_directories(directory, error);
+  if (error) return directory.string() + ": cannot be made: " + error.message();
   if (std::ofstream(file, std::ios::app)) return "";
-  return file + ": cannot be written; check the directory";
+  return file + ": cannot be written; check its permissions";
 }
 
 }  // namespace smore

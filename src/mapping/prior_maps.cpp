@@ -108,6 +108,17 @@ class PriorMaker {
         voxel_size_(scene.voxel_size / (planar_ ? kFinerInPlane : kFinerInSpace)) {}
 
   Prior make(const PriorSource& entry) const {
+    try {
+      return makeInRange(entry);
+    } catch (const std::out_of_range&) {
+      throw InputError("scenario " + scene_.name + ": prior: " + nameOf(entry) +
+                       " has points too far away for the voxels of the maps; check its scale (of "
+                       "millimetres 0.001), position and offset");
+    }
+  }
+
+ private:
+  Prior makeInRange(const PriorSource& entry) const {
     const Source source = read(entry);
     Bounds box = source.extent;
     if (entry.box) {
@@ -124,7 +135,6 @@ class PriorMaker {
     return prior;
   }
 
- private:
   static std::string nameOf(const PriorSource& entry) {
     if (entry.format == PriorFormat::kTruth) return "truth";
     return entry.file.empty() ? "the cloud" : entry.file;

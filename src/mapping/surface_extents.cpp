@@ -53,15 +53,19 @@ void SurfaceExtents::addTouches() {
     for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
       const int place = samples_.explanations[m][k];
       if (place == kFalseContact) continue;
-      const auto is_known = [&](MapSide side) {
-        const int contact = static_cast<int>(k);
-        const PriorMask covering = samples_.prior.evidence.covering(side, contact, place);
-        return (samples_.prior.worldsOf(covering) & bit) != 0;
-      };
-      if (!is_known(MapSide::kObject)) object_.add(samples_.contacts[k].object.at(place), bit);
-      if (!is_known(MapSide::kWorld)) world_.add(samples_.contacts[k].world.at(place), bit);
+      if (!isKnown(MapSide::kObject, m, k)) {
+        object_.add(samples_.contacts[k].object.at(place), bit);
+      }
+      if (!isKnown(MapSide::kWorld, m, k)) world_.add(samples_.contacts[k].world.at(place), bit);
     }
   }
+}
+
+bool SurfaceExtents::isKnown(MapSide side, int hypothesis, std::size_t contact) const {
+  const int place = samples_.explanations[hypothesis][contact];
+  const PriorMask covering =
+      samples_.prior.evidence.covering(side, static_cast<int>(contact), place);
+  return (samples_.prior.worldsOf(covering) >> hypothesis & 1U) != 0;
 }
 
 // Each hypothesis by itself, on all processor cores; what comes out does not depend on how many
@@ -139,7 +143,7 @@ std::vector<Eigen::Vector3f> SurfaceExtents::patches(MapSide side, int hypothesi
   for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
     const ContactHypotheses& contact = samples_.contacts[k];
     const int place = samples_.explanations[hypothesis][k];
-    if (place == kFalseContact) continue;
+    if (place == kFalseContact || isKnown(side, hypothesis, k)) continue;
     patch.center = (on_object ? contact.object : contact.world).at(place);
     patch.normal = (on_object ? contact.object_normal : contact.world_normal).at(place);
     CounterRandom random(mixBits(contact.id, mixBits(seed_, 2 * hypothesis + (on_object ? 1 : 0))));
@@ -155,7 +159,7 @@ std::vector<Eigen::Vector3f> SurfaceExtents::joined(int hypothesis,
   std::map<std::uint64_t, Eigen::Vector3f> by_id;
   for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
     const int place = samples_.explanations[hypothesis][k];
-    if (place == kFalseContact) continue;
+    if (place == kFalseContact || isKnown(MapSide::kObject, hypothesis, k)) continue;
     by_id.emplace(samples_.contacts[k].id, samples_.contacts[k].object.at(place));
   }
   std::vector<Eigen::Vector3f> places;

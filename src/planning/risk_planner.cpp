@@ -149,10 +149,10 @@ void RiskPlanner::remember(const std::vector<RiskPath>& paths) {
 std::vector<RiskPath> RiskPlanner::climb(Search* search) const {
   std::vector<RiskPath> paths;
   Trees trees = plant(*search);  // what one rung allows, the next allows too
+  const auto late = [&] { return !paths.empty() && search->deadline.passed(); };
   for (const double rung : kRungs) {
     const int limit = static_cast<int>(rung * kHypotheses);
-    for (int k = 0; k < parameters_.paths; ++k) {
-      if (!paths.empty() && search->deadline.passed()) return paths;
+    for (int k = 0; k < parameters_.paths && !late(); ++k) {
       if (!paths.empty()) trees = plant(*search);
       auto states = connect(&trees, limit, search);
       if (!states) break;
@@ -160,7 +160,7 @@ std::vector<RiskPath> RiskPlanner::climb(Search* search) const {
       paths.back().improve(search->space, parameters_.improvements, kMoveDistance * search->unit,
                            search->deadline, &search->random);
     }
-    if (static_cast<int>(paths.size()) >= parameters_.paths) break;
+    if (static_cast<int>(paths.size()) >= parameters_.paths || late()) break;
   }
   if (keep_tree_) keepEdges(trees, search);
   return paths;

@@ -7,6 +7,55 @@ namespace smore {
 namespace {
 
 constexpr int kMotionsPerTouch = 10;  // allowed on average, before the scene counts as empty
+constexpr int kMostRefused = 20;      // motions in a row that the robot cannot follow
+
+// Until the touches end, for the reason that it leaves in the outcome.
+void touchOn(const ReconstructionParameters& parameters, Robot* robot, TouchPlanner* touches,
+             const std::function<void(Phase)>& enter, const std::function<bool()>& should_stop,
+             MotionObserver* motions, RetrievalOutcome* outcome) {
+  const int max_motions = kMotionsPerTouch * parameters.touches;
+  int refused = 0;
+  while (outcome->collisions < parameters.touches && outcome->plans < max_motions) {
+    if (should_stop && should_stop()) {
+      outcome->reason = "stopped by the user";
+      return;
+    }
+    enter(Phase::kPlanning);
+    const Result<Path> path = touches->nextTouch(robot->pose());
+    if (!path) {
+      outcome->reason = path.reason();
+      return;
+    }
+    if (path->empty()) {
+      outcome->success = true;
+      outcome->reason = "no touch is left that is worth making";
+      return;
+    }
+    enter(Phase::kMoving);
+    ++outcome->plans;
+    if (motions != nullptr) motions->motionBegins(*path, std::nullopt);
+    MotionResult motion = robot->follow(*path);
+    if (motions != nullptr) motions->motionEnded(motion, robot->pose());
+    outcome->path_length = motion.length;
+    // Nothing moved: another touch may be within the robot's reach.
+    refused = motion.end == MotionEnd::kUnreachable ? refused + 1 : 0;
+    if (refused > 0 && refused < kMostRefused) continue;
+    if (motion.end == MotionEnd::kContact) {
+      ++outcome->collisions;
+      const bool reset = parameters.on_contact == OnContact::kReset;
+      enter(reset ? Phase::kResetting : Phase::kRetreating);
+      motion = reset ? robot->reset(parameters.start) : robot->retreat(parameters.retreat_distance);
+    }
+    if (motion.end != MotionEnd::kReached) {
+      outcome->reason = motion.reason;
+      return;
+    }
+  }
+  outcome->success = outcome->collisions >= parameters.touches;
+  outcome->reason = outcome->success
+                        ? "the budget of touches is used up"
+                        : std::to_string(max_motions) + " motions found too few touches";
+}
 
 }  // namespace
 
@@ -25,46 +74,7 @@ RetrievalOutcome reconstruct(const ReconstructionParameters& parameters, Robot* 
   const auto enter = [&](Phase phase) {
     if (on_progress) on_progress({phase, outcome.collisions, outcome.plans, 0.0});
   };
-  const int max_motions = kMotionsPerTouch * parameters.touches;
-  while (outcome.collisions < parameters.touches && outcome.plans < max_motions) {
-    if (should_stop && should_stop()) {
-      outcome.reason = "stopped by the user";
-      return outcome;
-    }
-    enter(Phase::kPlanning);
-    const Result<Path> path = touches->nextTouch(robot->pose());
-    if (!path) {
-      outcome.reason = path.reason();
-      return outcome;
-    }
-    if (path->empty()) {
-      outcome.success = true;
-      outcome.reason = "no touch is left that is worth making";
-      break;
-    }
-    enter(Phase::kMoving);
-    ++outcome.plans;
-    if (motions != nullptr) motions->motionBegins(*path, std::nullopt);
-    MotionResult motion = robot->follow(*path);
-    if (motions != nullptr) motions->motionEnded(motion, robot->pose());
-    outcome.path_length = motion.length;
-    if (motion.end == MotionEnd::kContact) {
-      ++outcome.collisions;
-      const bool reset = parameters.on_contact == OnContact::kReset;
-      enter(reset ? Phase::kResetting : Phase::kRetreating);
-      motion = reset ? robot->reset(parameters.start) : robot->retreat(parameters.retreat_distance);
-    }
-    if (motion.end != MotionEnd::kReached) {
-      outcome.reason = motion.reason;
-      return outcome;
-    }
-  }
-  if (outcome.collisions >= parameters.touches) {
-    outcome.success = true;
-    outcome.reason = "the budget of touches is used up";
-  } else if (!outcome.success) {
-    outcome.reason = std::to_string(max_motions) + " motions found too few touches";
-  }
+  touchOn(parameters, robot, touches, enter, should_stop, motions, &outcome);
   enter(Phase::kFinished);
   return outcome;
 }

@@ -45,6 +45,7 @@ RetrievalOutcome Retrieval::run() {
   outcome_ = {};
   progress_ = {};
   calibration_ = RiskCalibration(parameters_.motion);
+  refused_ = 0;
   Plan plan;
   if (atGoal()) {
     finish(true, "the object was at the goal already");

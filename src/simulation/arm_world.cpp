@@ -88,7 +88,7 @@ bool ArmWorld::isLink(const btCollisionObject* body) const {
 
 std::string ArmWorld::nameOf(const btCollisionObject* body, int shape) const {
   if (isLink(body)) return arm_.linkName(body, shape);
-  if (body == &carried_) return carried_names_[static_cast<size_t>(shape)];
+  if (body == &carried_) return carried_names_[carried_shape_->shapeOf(shape)];
   return "the environment";
 }
 

@@ -119,10 +119,11 @@ BulletSolids::BulletSolids(const std::vector<Shape>& shapes) {
 
 BulletCompound::BulletCompound(const std::vector<Shape>& shapes, const Pose& T_body_parent)
     : compound_(std::make_unique<PreciseCompound>()) {
-  for (const Shape& shape : shapes) {
-    for (BulletShape& part : makeConvexShapes(shape)) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    for (BulletShape& part : makeConvexShapes(shapes[i])) {
       parts_.push_back(std::move(part));
-      compound_->addChildShape(toBullet(Pose(T_body_parent * shape.pose)),
+      shape_of_child_.push_back(i);
+      compound_->addChildShape(toBullet(Pose(T_body_parent * shapes[i].pose)),
                                parts_.back().shape.get());
     }
   }

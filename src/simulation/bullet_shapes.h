@@ -49,8 +49,14 @@ class BulletCompound {
 
   btCompoundShape* shape() { return compound_.get(); }
 
+  /// Which of the shapes a child of the compound, by its index in contact points, is a part of.
+  std::size_t shapeOf(int child) const {
+    return shape_of_child_.at(static_cast<std::size_t>(child));
+  }
+
  private:
   std::vector<BulletShape> parts_;
+  std::vector<std::size_t> shape_of_child_;
   std::unique_ptr<btCompoundShape> compound_;
 };
 

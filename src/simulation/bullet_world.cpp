@@ -124,10 +124,9 @@ std::vector<ContactPoint> BulletWorld::contacts() const {
       if (point.m_appliedImpulse <= 0.0) continue;
       const Vec3 position =
           fromBullet((point.getPositionWorldOnA() + point.getPositionWorldOnB()) * btScalar(0.5));
-      // The index of a shape in a compound body.
-      const int shape = is_first ? point.m_index0 : point.m_index1;
+      const int child = is_first ? point.m_index0 : point.m_index1;
       contacts.push_back(
-          {position, sign * forceOf(point, step_), names_[static_cast<size_t>(shape)]});
+          {position, sign * forceOf(point, step_), names_[object_shape_.shapeOf(child)]});
     }
   }
   return contacts;

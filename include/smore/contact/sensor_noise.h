@@ -28,7 +28,8 @@ double maxwellTail(double length);
 double maxwellQuantile(double probability);
 
 /// Least number of samples whose mean force errs by more than `error` [N, positive] with at most
-/// `probability`: ceil((maxwellQuantile(probability) force_stddev / error)^2). 1 without noise.
+/// `probability`: ceil((maxwellQuantile(probability) force_stddev / error)^2). 1 without noise, at
+/// most a million.
 int noiseSamples(const SensorNoise& noise, double error, double probability);
 
 }  // namespace smore

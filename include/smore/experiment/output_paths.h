@@ -9,7 +9,7 @@ namespace smore {
 /// made where it is missing, with those that it lies in. Asked before hours of work, not after.
 std::string problemOfDirectory(const std::string& directory);
 
-/// The same for a file. What it holds stays.
+/// The same for a file, which is made where it is missing. What it holds stays.
 std::string problemOfFile(const std::string& file);
 
 }  // namespace smore

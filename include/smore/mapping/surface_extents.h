@@ -28,6 +28,9 @@ class SurfaceExtents {
 
  private:
   void addTouches();
+  /// Whether a touch lies on a surface of that side that this hypothesis holds to be known: it
+  /// claims no matter of its own there.
+  bool isKnown(MapSide side, int hypothesis, std::size_t contact) const;
   void grow(MapSide side);
   std::vector<ForbiddenMatter> forbiddenFor(MapSide side) const;
   MatterAllowed allowedFor(MapSide side, int hypothesis,

@@ -21,8 +21,8 @@ ReconstructionParameters reconstructionParameters(const Scenario& scenario);
 
 /// Touches until the budget is used up, or no further motion would tell enough; the maps are the
 /// result (paper, section III-D). Motions that touch nothing are observations too, but not counted;
-/// after ten times the budget of motions it ends all the same. `should_stop` is asked before each
-/// motion and may be empty, `motions` null.
+/// after ten times the budget of motions it ends all the same, and where the robot could not follow
+/// twenty in a row. `should_stop` is asked before each motion and may be empty, `motions` null.
 RetrievalOutcome reconstruct(const ReconstructionParameters& parameters, Robot* robot,
                              TouchPlanner* touches, const Retrieval::ProgressCallback& on_progress,
                              const std::function<bool()>& should_stop,

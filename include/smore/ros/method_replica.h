@@ -50,6 +50,9 @@ class MethodReplica {
   /// without risk.
   std::vector<double> risksAlong(const Path& path) const;
 
+  /// The poses that may be asked for.
+  MotionSpace motionSpace() const { return scenario_.motionSpace(); }
+
  private:
   void restart(std::uint64_t epoch, const Priors& priors);
   std::function<double(const Pose&)> riskOfPoses() const;
