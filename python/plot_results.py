@@ -51,6 +51,13 @@ def read(files):
     return {method: trials[method] for method in sorted(trials, key=rank)}, scenarios
 
 
+def mean_of(reached, count):
+    """The mean of those trials that reached the goal, in words."""
+    if not reached.size:
+        return "none reached it"
+    return f"mean {reached.mean():.3g}" if reached.size == count else f"mean of {reached.size}: {reached.mean():.3g}"
+
+
 def draw_method(axes, place, trials, color):
     collisions = np.array([trial["collisions"] for trial in trials])
     counts = np.maximum(collisions, LEAST)
@@ -65,7 +72,7 @@ def draw_method(axes, place, trials, color):
     axes.scatter(places[reached], counts[reached], s=16, color=color, zorder=3)
     axes.scatter(places[~reached], counts[~reached], s=30, marker="x", color="#c62828", zorder=3)
     axes.annotate(
-        f"mean {collisions[reached].mean():.3g}" if reached.any() else "none reached it", (place, counts.max()), xytext=(0, 8), textcoords="offset points",
+        mean_of(collisions[reached], len(collisions)), (place, counts.max()), xytext=(0, 8), textcoords="offset points",
         ha="center", fontsize=9, color=color,
     )
 

@@ -9,19 +9,24 @@ import pathlib
 import sys
 
 
+def number(value, digits):
+    """A number, or a dash where there is none: as of trials that were all broken off."""
+    return "-" if value is None else f"{value:.{digits}f}"
+
+
 def row(result):
     collisions = result["summary"]["collisions"]
     trials = result["trials"]
     reached = sum(trial["success"] for trial in trials)
     plans = sum(trial["plans"] for trial in trials)
     planning = sum(trial["planning_s"] for trial in trials) / max(plans, 1)
-    return (f"| {result['scenario']} | {result['method']} | {collisions['mean']:.1f} | "
-            f"{collisions['median']:.0f} | {collisions['min']} | {collisions['max']} | "
+    return (f"| {result['scenario']} | {result['method']} | {number(collisions['mean'], 1)} | "
+            f"{number(collisions['median'], 0)} | {number(collisions['min'], 0)} | {number(collisions['max'], 0)} | "
             f"{reached} of {len(trials)} | {planning:.2f} |")
 
 
 def main():
-    if len(sys.argv) < 2:
+    if len(sys.argv) < 2 or not all(pathlib.Path(name).is_file() for name in sys.argv[1:]):
         sys.exit("usage: table_of_results.py RESULT.json [RESULT.json ...]")
     print("| scene | method | mean | median | least | most | at the goal | s a plan |")
     print("|---|---|---|---|---|---|---|---|")

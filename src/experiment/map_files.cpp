@@ -9,22 +9,12 @@
 #include "smore/mapping/octomap_export.h"
 
 namespace smore {
-namespace {
-
-void writeTree(const VoxelGrid& grid, const std::filesystem::path& file) {
-  if (!toOctree(grid)->write(file.string())) {
-    throw std::runtime_error(file.string() + ": cannot be written; check the disk");
-  }
-}
-
-}  // namespace
-
 void saveMaps(const TwinMap& maps, const std::string& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw std::runtime_error(directory + ": cannot be made: " + error.message());
-  writeTree(maps.world(), std::filesystem::path(directory) / "world.ot");
-  writeTree(maps.object(), std::filesystem::path(directory) / "object.ot");
+  writeOctree(*toOctree(maps.world()), directory + "/world.ot");
+  writeOctree(*toOctree(maps.object()), directory + "/object.ot");
 }
 
 }  // namespace smore

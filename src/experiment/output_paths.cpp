@@ -17,12 +17,8 @@ std::string problemOfDirectory(const std::string& directory) {
 }
 
 std::string problemOfFile(const std::string& file) {
-  const std::filesystem::path directory = std::filesystem::path(file).parent_path();
-  std::error_code error;
-  if (!directory.empty()) std::filesystem::create_directories(directory, error);
-  if (error) return directory.string() + ": cannot be made: " + error.message();
   if (std::ofstream(file, std::ios::app)) return "";
-  return file + ": cannot be written; check its permissions";
+  return file + ": cannot be written; check that its directory is there, and its permissions";
 }
 
 }  // namespace smore

@@ -175,7 +175,8 @@ int run(Arguments arguments) {
   if (arguments.validate) {
     const bool told =
         arguments.output.empty() || writeFile(smore::toJson(scenario), arguments.output);
-    if (!told) std::cerr << arguments.output << ": cannot be written" << std::endl;
+    if (!told)
+      std::cerr << arguments.output << ": cannot be written; check its directory" << std::endl;
     std::cerr << file << ": valid" << (for_real_robots ? ", a task for a real robot" : "")
               << decompositions(scenario) << std::endl;
     return told ? 0 : smore::kInternalError;

@@ -68,7 +68,10 @@ int run(const Arguments& arguments) {
   std::ofstream stream(arguments.output);
   stream << json.dump(2) << std::endl;
   if (!stream) {
-    std::cerr << arguments.output << ": cannot be written; check the disk" << std::endl;
+    std::cout << json.dump(2) << std::endl;
+    std::cerr << arguments.output
+              << ": cannot be written; check the disk; the scores are on standard output"
+              << std::endl;
     return smore::kInternalError;
   }
   return 0;

@@ -4,6 +4,10 @@
 #include <octomap/octomap.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
 
 namespace smore {
 namespace {
@@ -71,6 +75,18 @@ VoxelGrid fromOctree(const octomap::OcTree& tree) {
     }
   }
   return grid;
+}
+
+void writeOctree(const octomap::OcTree& tree, const std::string& file) {
+  const std::string beside = file + ".part";
+  std::ofstream stream(beside, std::ios::binary);
+  (void)tree.write(stream);  // says that all is well on a full disk
+  stream.close();
+  std::error_code problem;
+  if (stream) std::filesystem::rename(beside, file, problem);
+  if (stream && !problem) return;
+  std::filesystem::remove(beside, problem);
+  throw std::runtime_error(file + ": cannot be written; check the disk and its permissions");
 }
 
 }  // namespace smore

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -71,7 +72,41 @@ Source ofGrid(const VoxelGrid& grid, const Pose& pose) {
   return {knowledge, widened(boundsOf(corners), grid.voxelSize())};
 }
 
-VoxelGrid readOctree(const std::string& file) {
+// How many nodes the header of a file says that follow; a file that was cut has fewer.
+std::size_t nodesInHeader(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string word;
+  while (stream >> word && word != "data") {
+    std::size_t count = 0;
+    if (word == "size" && stream >> count) return count;
+  }
+  return 0;
+}
+
+using Octree = std::shared_ptr<const octomap::OcTree>;
+
+// Asked voxel by voxel: pruned leaves may span a whole building.
+Source ofOctree(const Octree& tree, const Pose& pose) {
+  Vec3 low, high;
+  tree->getMetricMin(low.x(), low.y(), low.z());
+  tree->getMetricMax(high.x(), high.y(), high.z());
+  std::vector<Vec3> corners;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 place((corner & 1) != 0 ? high.x() : low.x(), (corner & 2) != 0 ? high.y() : low.y(),
+                     (corner & 4) != 0 ? high.z() : low.z());
+    corners.push_back(pose * place);
+  }
+  const Pose T_tree_map = pose.inverse();
+  const Knowledge knowledge = [tree, T_tree_map](const Vec3& point) -> std::optional<bool> {
+    const Vec3 in_tree = T_tree_map * point;
+    const octomap::OcTreeNode* node = tree->search(in_tree.x(), in_tree.y(), in_tree.z());
+    if (node == nullptr) return std::nullopt;
+    return node->getOccupancy() >= kOccupied;
+  };
+  return {knowledge, widened(boundsOf(corners), 0.5 * tree->getResolution())};
+}
+
+Octree readOctree(const std::string& file) {
   std::unique_ptr<octomap::AbstractOcTree> any;
   std::unique_ptr<octomap::OcTree> tree;
   if (file.substr(file.find_last_of('.')) == ".bt") {
@@ -87,7 +122,11 @@ VoxelGrid readOctree(const std::string& file) {
     throw InputError(file + ": not an OctoMap of occupancies, or an empty one; write it with " +
                      "octomap_saver or octovis");
   }
-  return fromOctree(*tree);
+  if (tree->size() < nodesInHeader(file)) {
+    throw InputError(file + ": ends after " + std::to_string(tree->size()) + " of " +
+                     std::to_string(nodesInHeader(file)) + " nodes; the file was cut");
+  }
+  return tree;
 }
 
 // Only surfaces were seen: where no point is, nothing is known.
@@ -145,7 +184,7 @@ class PriorMaker {
       case PriorFormat::kTruth:
         return truth();
       case PriorFormat::kOctree:
-        return ofGrid(readOctree(entry.file), entry.pose);
+        return ofOctree(readOctree(entry.file), entry.pose);
       case PriorFormat::kCloud:
         return cloud(entry);
       case PriorFormat::kMesh:

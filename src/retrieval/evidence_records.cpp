@@ -15,6 +15,7 @@ const std::vector<std::string> kStates = {"free", "unsure", "contact"};
 const std::vector<std::string> kEnds = {"reached", "contact", "unreachable", "fault", "stopped"};
 
 constexpr Range kProbability{0.0, 1.0};
+constexpr Range kTimes{0.0, std::numeric_limits<std::uint32_t>::max()};  // what ROS can tell [s]
 constexpr Range kNotNegative{0.0, std::numeric_limits<double>::max()};
 constexpr double kUnitTolerance = 1e-6;
 
@@ -80,7 +81,7 @@ Json observationRecord(const ContactObservation& observation) {
 
 ContactObservation readObservation(const JsonFields& record) {
   ContactObservation observation;
-  observation.time = record.number("time");
+  observation.time = record.number("time", kTimes);
   observation.state = static_cast<ContactState>(record.choice("state", kStates));
   observation.contact_id = record.integer("contact", 0, std::numeric_limits<int>::max());
   observation.T_world_object = record.pose("pose");

@@ -43,10 +43,12 @@ void saveMaps(const MapKeeper& keeper, const std::string& directory) {
     world = toOctree(state.maps->world());
     object = toOctree(state.maps->object());
   });
-  if (problem || !world->write(folder / "world.ot") || !object->write(folder / "object.ot")) {
+  if (problem) {
     throw std::runtime_error("cannot write into '" + directory +
                              "'; check that it is a directory that may be written");
   }
+  writeOctree(*world, folder / "world.ot");
+  writeOctree(*object, folder / "object.ot");
 }
 
 BeliefFiles::BeliefFiles(std::string folder, EvidenceSource source)

@@ -23,6 +23,7 @@ namespace smore {
 namespace {
 
 constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
+constexpr double kMostWait = 60.0;      // [s] of a caller: threads are few, and end with the node
 constexpr int kServiceThreads = 3;      // two waiting calls and the publisher
 
 ros::Time timeOf(double stamp) {
@@ -122,7 +123,8 @@ class MappingNode {
 
   bool onTwinMaps(smore_msgs::TwinMaps::Request& request,
                   smore_msgs::TwinMaps::Response& response) {
-    if (!keeper_->waitFor(request.not_before.toSec(), request.timeout.toSec())) {
+    const double timeout = std::min(request.timeout.toSec(), kMostWait);
+    if (!keeper_->waitFor(request.not_before.toSec(), timeout)) {
       response.message =
           "the maps do not hold the observations up to the time asked for; check that contact "
           "observations arrive";
@@ -166,11 +168,10 @@ class MappingNode {
   std::string forget(const std::string& map, MapSide side) {
     if (source_.method != MethodKind::kSmore) {
       throw InputError("the method " + methodName(source_.method) +
-                       " cannot keep one map without the other; forget both with reset, or use "
-                       "the method smore");
+                       " cannot keep one map without the other; reset both, or use smore");
     }
     keeper_->reset(side);
-    return "the " + map + " map is forgotten; matter of the other one is known beforehand now";
+    return "the " + map + " map is forgotten; what was sure in the other one is known beforehand";
   }
 
   bool onInsertPrior(smore_msgs::InsertPrior::Request& request,

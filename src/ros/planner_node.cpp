@@ -34,7 +34,7 @@ PlannerNodeParameters readParameters(ParameterReader* reader) {
   parameters.frames = readFrameNames(reader);
   parameters.method = readMethod(reader);
   reader->integer("seed", &parameters.seed, 0, std::numeric_limits<int>::max());
-  reader->number("maps_timeout", &parameters.maps_timeout, {0.1, 3600.0});
+  reader->number("maps_timeout", &parameters.maps_timeout, {0.1, 60.0});
   MethodParameters defaults;
   reader->number("time_limit", &defaults.planner.time_limit, {0.01, 3600.0});
   parameters.method_parameters = readMethodChanges(reader, parameters.method, defaults);

@@ -48,6 +48,17 @@ void checkKind(const std::string& file) {
   }
 }
 
+// The repairs look vertices up by these without asking.
+void checkFaces(const aiMesh& part, const std::string& file) {
+  for (unsigned i = 0; i < part.mNumFaces; ++i) {
+    const aiFace& face = part.mFaces[i];
+    for (unsigned k = 0; k < face.mNumIndices; ++k) {
+      if (face.mIndices[k] < part.mNumVertices) continue;
+      throw InputError(file + ": a face has a vertex that is not there; export the mesh anew");
+    }
+  }
+}
+
 void append(const aiMesh& part, MeshFile* mesh) {
   const auto first = static_cast<int>(mesh->vertices.size());
   for (unsigned i = 0; i < part.mNumVertices; ++i) {
@@ -68,7 +79,11 @@ MeshFile readMeshFile(const std::string& file) {
   checkKind(file);
   Assimp::Importer importer;
   configure(&importer);
-  const aiScene* scene = importer.ReadFile(file, kRepairs);
+  const aiScene* scene = importer.ReadFile(file, 0);
+  for (unsigned i = 0; scene != nullptr && i < scene->mNumMeshes; ++i) {
+    checkFaces(*scene->mMeshes[i], file);
+  }
+  if (scene != nullptr) scene = importer.ApplyPostProcessing(kRepairs);
   if (scene == nullptr) {
     throw InputError(file + ": cannot be read as a mesh (" + importer.GetErrorString() +
                      "); export it anew");

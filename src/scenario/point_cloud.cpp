@@ -80,7 +80,7 @@ NumberType pcdType(const std::string& kind, const std::string& size) {
 std::size_t countOf(const std::string& word, const std::string& file) {
   std::istringstream stream(word);
   std::size_t count = 0;
-  if (!(stream >> count) || word.front() == '-')
+  if (!(stream >> count) || !stream.eof() || word.front() == '-')
     refuse(file, "'" + word + "' is no number of points");
   return count;
 }
@@ -154,6 +154,7 @@ Layout readPcdHeader(std::istream* stream, const std::string& file) {
       refuse(file, "DATA " + words[0] + " is not read; write it as ascii or binary " +
                        "(pcl_convert_pcd_ascii_binary)");
     }
+    if (points == 0) refuse(file, "no POINTS, or none of them; export it anew");
     Layout layout = layoutOf(fields, file);
     layout.ascii = words[0] == "ascii";
     layout.points = points;
@@ -173,14 +174,21 @@ std::array<std::size_t, 3> coordinatesOf(const Layout& layout, const std::string
   return columns;
 }
 
+double numberOf(const std::string& word, const std::string& file) {
+  char* end = nullptr;
+  const double number = std::strtod(word.c_str(), &end);  // reads nan, too
+  if (*end != '\0') refuse(file, "'" + word + "' of a point is no number; write decimal points");
+  return number;
+}
+
 // The numbers of the next point; false where the file ends before.
-bool nextPoint(std::istream* stream, const Layout& layout, std::vector<char>* bytes,
-               std::vector<double>* numbers) {
+bool nextPoint(std::istream* stream, const Layout& layout, const std::string& file,
+               std::vector<char>* bytes, std::vector<double>* numbers) {
   if (layout.ascii) {
     for (double& number : *numbers) {
       std::string word;
       if (!(*stream >> word)) return false;
-      number = std::strtod(word.c_str(), nullptr);  // reads nan, too
+      number = numberOf(word, file);
     }
     return true;
   }
@@ -201,7 +209,7 @@ std::vector<Vec3> readPoints(std::istream* stream, const Layout& layout, const s
   std::vector<double> numbers(layout.types.size());
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < layout.points; ++i) {
-    if (!nextPoint(stream, layout, &bytes, &numbers)) {
+    if (!nextPoint(stream, layout, file, &bytes, &numbers)) {
       refuse(file, "ends after " + std::to_string(i) + " of " + std::to_string(layout.points) +
                        " points; the file is damaged");
     }

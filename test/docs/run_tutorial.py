@@ -32,7 +32,6 @@ def scratch_root(folder, devel):
             (folder / entry.name).symlink_to(entry)
     (folder / "build").mkdir()
     (folder / "build/devel").symlink_to(devel)
-    (folder / "results").mkdir()
 
 
 def environment(devel):

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "smore/mapping/voxel_grid.h"
 
@@ -25,5 +26,9 @@ std::unique_ptr<octomap::OcTree> toOccupiedOctree(const VoxelGrid& grid);
 
 /// The grid of an octree's leaves; pruned leaves are expanded.
 VoxelGrid fromOctree(const octomap::OcTree& tree);
+
+/// Writes a tree to a file of OctoMap's own format, whole or not at all: what was there before
+/// stays where the disk is full. Throws std::runtime_error where it cannot be written.
+void writeOctree(const octomap::OcTree& tree, const std::string& file);
 
 }  // namespace smore
