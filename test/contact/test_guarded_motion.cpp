@@ -19,6 +19,15 @@ TEST_F(GuardedMotionTest, ALaterFirstPointIsReachedFromWhereTheJointsAre) {
   expectRefused(trajectory, "the commanded speed of shoulder");
 }
 
+// It begins at rest, so that it is faster in its middle than on average.
+TEST_F(GuardedMotionTest, TheWayToALaterFirstPointIsAsFastAsItIsExecuted) {
+  const auto first_at = [](double time) {
+    return JointTrajectory{kJoints, {{time, {0.3 + 1.9, -0.8}, {0.0, 0.0}}}};
+  };
+  EXPECT_TRUE(guard_.admit(now_, first_at(1.45)));
+  expectRefused(first_at(1.0), "the commanded speed of shoulder is 2.85 rad/s");
+}
+
 // From rest to rest a cubic is 1.5 times as fast in its middle as on average.
 TEST_F(GuardedMotionTest, TheCommandedSpeedIsThatBetweenThePoints) {
   EXPECT_TRUE(guard_.admit(now_, motion(1.33, 1.0)));

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 #include <octomap/octomap.h>
 
+#include <memory>
 #include <random>
 #include <sstream>
+#include <stdexcept>
 
+#include "../scenario/temporary_directory.h"
 #include "smore/mapping/octomap_export.h"
 
 namespace smore {
@@ -78,6 +81,19 @@ TEST(ToOctree, keepsEightEqualSiblingsAsVoxels) {
 }
 
 TEST(ToOctree, ofAnEmptyGridIsEmpty) { EXPECT_EQ(toOctree(VoxelGrid(0.03))->size(), 0u); }
+
+TEST(ToOctree, isWrittenWholeOrNotAtAll) {
+  TemporaryDirectory directory;
+  VoxelGrid grid(0.03);
+  grid.set({1, 2, 3}, 0.9F);
+  const auto tree = toOctree(grid);
+  const std::string file = directory.path() + "/map.ot";
+  writeOctree(*tree, file);
+  EXPECT_EQ(std::unique_ptr<octomap::AbstractOcTree>(octomap::AbstractOcTree::read(file))->size(),
+            tree->size());
+  EXPECT_THROW(writeOctree(*tree, directory.path() + "/gone/map.ot"), std::runtime_error);
+  EXPECT_THROW(writeOctree(*tree, "/dev/full/map.ot"), std::runtime_error);
+}
 
 }  // namespace
 }  // namespace smore

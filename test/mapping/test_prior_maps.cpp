@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <octomap/octomap.h>
 
+#include <sstream>
+
 #include "../common/refusal.h"
 #include "../scenario/meshes.h"
 #include "../scenario/temporary_directory.h"
@@ -107,6 +109,38 @@ TEST(PriorMaps, OctreesSayWhatIsMatterAndWhatIsFree) {
     EXPECT_EQ(saidAt(prior, {0.17, 0.02, 0.001}), Said::kFree) << name;
     EXPECT_EQ(saidAt(prior, {0.08, 0.02, 0.001}), Said::kNothing) << name;
   }
+}
+
+// All of space is free, in eight leaves of 1638 m, of which the box asks for a little.
+TEST(PriorMaps, PrunedLeavesOfAnyWidthAreAsked) {
+  TemporaryDirectory directory;
+  const std::string file = directory.write(
+      "wide.bt", "# Octomap OcTree binary file\nid OcTree\nsize 9\nres 0.05\ndata\nUU");
+  PriorSource source = fromFile(PriorFormat::kOctree, file);
+  source.box = Bounds{{0.1, 0.1, -0.1}, {0.2, 0.2, 0.1}};
+  const Prior prior = makePriors(sceneWith({{}, {source}})).world.at(0);
+  EXPECT_EQ(saidAt(prior, {0.15, 0.15, 0.001}), Said::kFree);
+  EXPECT_EQ(saidAt(prior, {0.25, 0.15, 0.001}), Said::kNothing);
+}
+
+TEST(PriorMaps, AnOctreeThatWasCutIsRefused) {
+  TemporaryDirectory directory;
+  VoxelGrid grid(0.05);
+  for (int i = 0; i < 100; ++i) grid.set(voxelAt({0.05 * i, 0.02, 0.02}, 0.05), 0.9F);
+  std::ostringstream whole;
+  ASSERT_TRUE(toOctree(grid)->write(whole));
+  const std::string half = whole.str().substr(0, whole.str().size() / 2);
+  const std::string file = directory.write("half.ot", half);
+  EXPECT_NE(problemOf(sceneWith({{}, {fromFile(PriorFormat::kOctree, file)}})).find("was cut"),
+            std::string::npos);
+}
+
+// As a cloud in millimetres.
+TEST(PriorMaps, WhatLiesTooFarIsRefusedWithItsRemedy) {
+  PriorSource cloud;
+  cloud.format = PriorFormat::kCloud;
+  cloud.points = {Vec3(0.1, 0.1, 0.0), Vec3(5000.0, 0.0, 0.0)};
+  EXPECT_NE(problemOf(sceneWith({{}, {cloud}})).find("check its scale"), std::string::npos);
 }
 
 TEST(PriorMaps, InSpaceLayersAboveThePlaneCountToo) {

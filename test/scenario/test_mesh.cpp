@@ -279,6 +279,12 @@ TEST_F(MeshTest, problemsNameFileAndRemedy) {
   const std::string binary = binaryStl(load("cube.obj", cubeObj()));
   EXPECT_NE(problemOf("x.stl", binary.substr(0, binary.size() - 60)).find("x.stl"),
             std::string::npos);
+  // The third vertex of one face of a tetrahedron is not there.
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 -2\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  EXPECT_NE(problemOf("x.ply", ply).find("vertex that is not there"), std::string::npos);
   EXPECT_NE(problemOf("x.step", "ISO-10303-21;").find("as STL, OBJ, PLY or DAE"),
             std::string::npos);
   EXPECT_NE(problemOf("gone/x.stl", "").find("there is no such file"), std::string::npos);

@@ -102,5 +102,16 @@ TEST_F(PointCloud, SurvivesAnyDamage) {
   }
 }
 
+// Each would be zeros, or another number, to a reader that does not look.
+TEST_F(PointCloud, WordsThatAreNoNumbersAreRefused) {
+  EXPECT_NE(problemOf(pcdHead("ascii") + "7 0 0 a b c\n7 0 0 1 2 3\n").find("'a' of a point"),
+            std::string::npos);
+  EXPECT_NE(problemOf(pcdHead("ascii") + "7 0 0 0,2 1 1\n7 0 0 1 2 3\n").find("decimal points"),
+            std::string::npos);
+  std::string head = pcdHead("ascii");
+  head.replace(head.find("POINTS 2"), 8, "POINTS 2e0");
+  EXPECT_NE(problemOf(head + "7 0 0 1 2 3\n").find("'2e0' is no number"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace smore
