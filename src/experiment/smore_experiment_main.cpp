@@ -63,7 +63,8 @@ po::options_description optionsFor(Arguments* arguments) {
       "a trial gives up at so many");
   add("touches-after-success",
       new smore::NumberOption<int>(&parameters.touches_after_success, 0, kMany),
-      "further touches for the maps once the object is out (planar motion only)");
+      "further touches for the maps once the object is out (their surface recall in planar motion "
+      "only)");
   add("random-touches", po::bool_switch(&parameters.random_touches),
       "touch at random where the method would choose; for comparison");
   add("informed-touches", po::bool_switch(&parameters.informed_touches),

@@ -24,7 +24,7 @@ std::vector<Eigen::Vector3f> placesWithin(float reach, bool planar) {
   CounterRandom random(0);
   std::vector<Eigen::Vector3f> places;
   while (static_cast<int>(places.size()) < kPlaces) {
-    const Vec3 place(random.symmetric(), random.symmetric(), planar ? 0.0 : random.symmetric());
+    const Vec3 place = planar ? random.inPlane() : random.inCube();
     if (place.norm() <= 1.0) places.push_back(reach * place.cast<float>());
   }
   return places;

@@ -25,7 +25,7 @@ class PairFlow {
     }
   }
 
-  /// Each round uses up a weight, so that there are no more rounds than positions.
+  /// Along shortest ways: as many rounds as positions times pairs at most (Edmonds and Karp 1972).
   void maximize() {
     while (search()) augment();
   }

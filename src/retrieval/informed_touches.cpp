@@ -12,7 +12,7 @@ namespace {
 
 Vec3 unitVector(CounterRandom* random) {
   while (true) {
-    const Vec3 vector(random->symmetric(), random->symmetric(), random->symmetric());
+    const Vec3 vector = random->inCube();
     const double norm = vector.norm();
     if (norm > 0.1 && norm <= 1.0) return vector / norm;
   }

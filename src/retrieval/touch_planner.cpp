@@ -18,8 +18,9 @@ Vec3 uniformIn(const Bounds& bounds, std::mt19937_64* random) {
 Eigen::Quaterniond uniformRotation(std::mt19937_64* random) {
   std::normal_distribution<double> normal;
   // A normalised Gaussian 4-vector is uniform on the sphere of unit quaternions.
-  Eigen::Quaterniond rotation(normal(*random), normal(*random), normal(*random), normal(*random));
-  return rotation.normalized();
+  Eigen::Vector4d drawn;
+  for (int i = 3; i >= 0; --i) drawn[i] = normal(*random);  // not as arguments: their order is free
+  return Eigen::Quaterniond(drawn[0], drawn[1], drawn[2], drawn[3]).normalized();
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ class ScoredBelief {
   double touchingShare(const Path& path) const;
 
   /// Probability that none of the legs up to the i-th touches, for each leg of a motion: not
-  /// rising, the last one 1 - riskOf the whole. The half world with which Jeffreys' prior makes no
-  /// share 0 is spread evenly over the legs.
+  /// rising, the last one about 1 - riskOf the whole, whose poses are checked at other places. The
+  /// half world with which Jeffreys' prior makes no share 0 is spread evenly over the legs.
   std::vector<double> survival(const std::vector<Path>& legs) const;
 
   /// Where a contact was in each of the worlds, in the object frame [m]; nothing: a false contact

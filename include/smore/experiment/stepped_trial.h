@@ -55,7 +55,8 @@ class SteppedTrial {
   /// where an arm cannot go back.
   StepOutcome step(const Eigen::VectorXd& action);
 
-  /// Back to the start; the scene, what the maps know and the sensor's noise go on.
+  /// Back to the start; the scene, what the maps know and the sensor's noise go on. Throws
+  /// std::runtime_error where the robot cannot be placed there.
   void restart();
 
   /// From the object's pose to the goal [m, rad]; angles in [-pi, pi].

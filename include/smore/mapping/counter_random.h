@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 #include <cstdint>
 
@@ -32,6 +33,21 @@ class CounterRandom {
 
   /// Uniform in [-1, 1).
   double symmetric() { return 2.0 * uniform() - 1.0; }
+
+  /// Uniform in the cube from -1 to 1, its last coordinate drawn first: as arguments of one call
+  /// they would be drawn in an order that compilers choose.
+  Eigen::Vector3d inCube() {
+    Eigen::Vector3d place;
+    for (int axis = 2; axis >= 0; --axis) place[axis] = symmetric();
+    return place;
+  }
+
+  /// The same in the square in the plane z = 0.
+  Eigen::Vector3d inPlane() {
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    for (int axis = 1; axis >= 0; --axis) place[axis] = symmetric();
+    return place;
+  }
 
   /// Standard normal (Box and Muller).
   double normal() {

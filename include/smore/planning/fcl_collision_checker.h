@@ -21,8 +21,7 @@ namespace smore {
 class FclCollisionChecker : public CollisionChecker {
  public:
   /// Takes the leaves with P >= kOccupied (exactly that value included); others and inner nodes do
-  /// not matter. Pairs in `ignored` (positions in `occupiedVoxels` of the trees) never collide.
-  /// std::invalid_argument if the resolutions differ.
+  /// not matter. std::invalid_argument if the resolutions differ.
   FclCollisionChecker(const octomap::OcTree& object, const octomap::OcTree& world);
   FclCollisionChecker(const OccupiedVoxels& object, const OccupiedVoxels& world);
   ~FclCollisionChecker() override;

@@ -27,7 +27,8 @@ class EvidenceJournal {
   /// newest. std::runtime_error where it cannot be written.
   void begin(const Priors& priors, const std::vector<ContactObservation>& observations);
 
-  /// Appends to the file that was begun last. std::runtime_error where it cannot be written.
+  /// Appends to the file that was begun last; one must have been begun. std::runtime_error where it
+  /// cannot be written.
   void observe(const ContactObservation& observation);
 
   /// The file that a journal in `directory` began last; nothing where there is none.
