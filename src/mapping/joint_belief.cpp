@@ -47,8 +47,7 @@ void JointBelief::observe(const ContactObservation& observation) {
   if (!isFinite(observation.T_world_object)) return;
   (void)voxelAt(observation.T_world_object.translation(), parameters_.voxel_size);  // in range
   if (observation.state == ContactState::kFree) addFree(observation.T_world_object);
-  // The line of a contact that was short comes when it has ended.
-  if (observation.state == ContactState::kContact || observation.line) noteContact(observation);
+  if (observation.state == ContactState::kContact) noteContact(observation);
 }
 
 void JointBelief::change() {

@@ -10,7 +10,13 @@
 namespace smore {
 namespace {
 
-constexpr double kFarRate = 1.5;  // times the period that the parameters say, or its inverse
+constexpr double kTimeJump = 1.0;  // [s]; stamps that fall by less are merely out of order
+constexpr double kFarRate = 1.5;   // times the period that the parameters say, or its inverse
+
+// In seconds: a duration does not hold the difference of any two times.
+bool wentBack(const ros::Time& stamp, const ros::Time& last) {
+  return stamp.toSec() + kTimeJump < last.toSec();
+}
 
 void warnOfDropped(const geometry_msgs::WrenchStamped& message, const std::string& problem,
                    Throttle* warning) {
@@ -35,29 +41,18 @@ void WrenchIntake::onWrench(const geometry_msgs::WrenchStamped& message) {
   last_arrival_ = ros::WallTime::now();
   ++received_;
   const ros::Time& stamp = message.header.stamp;
-  switch (stamps_.add(stamp)) {
-    case StampOrder::Verdict::kNew:
-      break;
-    case StampOrder::Verdict::kWentBack:
-      restart();
-      stamps_.add(stamp);
-      break;
-    case StampOrder::Verdict::kRepeated:
-      ++dropped_.repeated;
-      return warnOfDropped(message, "it is not newer than the one before; who else publishes?",
-                           &repeated_warning_);
-    case StampOrder::Verdict::kDoubtful:
-      ++dropped_.repeated;
-      return warnOfDropped(message,
-                           "its stamp is over a second from the one before, which the next one has "
-                           "to confirm; is the sensor's clock set?",
-                           &repeated_warning_);
+  if (wentBack(stamp, last_stamp_)) restart();
+  if (stamp <= last_stamp_) {
+    ++dropped_.repeated;
+    return warnOfDropped(message, "it is not newer than the one before; who else publishes?",
+                         &repeated_warning_);
   }
   const std::string problem = frameNameProblem(message.header.frame_id);
   if (!problem.empty()) {
     ++dropped_.frameless;
     return warnOfDropped(message, problem, &frame_warning_);
   }
+  last_stamp_ = stamp;
   const Wrench wrench = inFrame(parameters_.axes, fromMessage(message.wrench));
   if (isSaturated(wrench, parameters_.range)) ++saturated_;
   waiting_.push_back(message);
@@ -68,9 +63,8 @@ void WrenchIntake::onWrench(const geometry_msgs::WrenchStamped& message) {
 void WrenchIntake::onTransforms(const tf2_msgs::TFMessage& message) {
   for (const geometry_msgs::TransformStamped& transform : message.transforms) {
     if (transform.child_frame_id != parameters_.frames.object) continue;
-    if (object_stamps_.add(transform.header.stamp) != StampOrder::Verdict::kWentBack) continue;
-    restart();
-    object_stamps_.add(transform.header.stamp);
+    if (wentBack(transform.header.stamp, last_pose_)) restart();
+    last_pose_ = transform.header.stamp;
   }
   warnOfTransform(poses_.add(message, false), &transform_warning_);
 }
@@ -98,8 +92,7 @@ void WrenchIntake::restart() {
   ROS_WARN("time went back: forgetting wrenches and transforms, and taring anew");
   waiting_.clear();
   poses_.clear();
-  stamps_.clear();
-  object_stamps_.clear();
+  last_stamp_ = last_pose_ = ros::Time();
   rate_ = SampleRate();
   on_restart_();
 }

@@ -11,7 +11,6 @@
 #include "force_torque_parameters.h"
 #include "smore/contact/sample_rate.h"
 #include "smore/ros/listener_status.h"
-#include "smore/ros/stamp_order.h"
 #include "smore/ros/throttle.h"
 #include "smore/ros/wrist_poses.h"
 
@@ -58,8 +57,8 @@ class WrenchIntake {
   WristPoses poses_;
   std::deque<geometry_msgs::WrenchStamped> waiting_;  ///< for their poses, oldest first
   ros::WallTime last_arrival_ = ros::WallTime::now();
-  StampOrder stamps_;         ///< of the wrenches
-  StampOrder object_stamps_;  ///< of the object's poses
+  ros::Time last_stamp_;  ///< of the newest wrench that came
+  ros::Time last_pose_;   ///< of the newest pose that came
   SampleRate rate_;
   bool rate_told_ = false;
   std::uint64_t received_ = 0, saturated_ = 0;

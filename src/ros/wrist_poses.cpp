@@ -52,41 +52,21 @@ std::string WristPoses::add(const tf2_msgs::TFMessage& message, bool is_static) 
       problem = describe(transform) + ": " + name_problem;
       continue;
     }
-    if (!is_static) {
-      const std::string order_problem = orderProblem(transform);
-      if (!order_problem.empty()) {
-        problem = describe(transform) + order_problem;
-        continue;
-      }
+    // tf2 would complain about each: a repeated message, a second publisher.
+    ros::Time& newest = newest_[transform.child_frame_id];
+    if (!is_static && transform.header.stamp <= newest) {
+      problem = describe(transform) + " is not newer than the one before; who else sends it?";
+      continue;
     }
+    newest = transform.header.stamp;
     transforms_.setTransform(transform, is_static ? names::kTfStatic : names::kTf, is_static);
   }
   return problem;
 }
 
-// tf2 would complain about each that repeats, and take one of the future for the newest from then
-// on.
-std::string WristPoses::orderProblem(const geometry_msgs::TransformStamped& transform) {
-  const std::string& frame = transform.child_frame_id;
-  switch (stamps_[frame].add(transform.header.stamp)) {
-    case StampOrder::Verdict::kNew:
-      return "";
-    case StampOrder::Verdict::kWentBack:
-      clear();
-      stamps_[frame].add(transform.header.stamp);
-      return "";
-    case StampOrder::Verdict::kRepeated:
-      return " is not newer than the one before; who else sends it?";
-    case StampOrder::Verdict::kDoubtful:
-      break;
-  }
-  return " is over a second from the one before, which the next one has to confirm; is its "
-         "sender's clock set?";
-}
-
 void WristPoses::clear() {
   transforms_.clear();
-  stamps_.clear();
+  newest_.clear();
 }
 
 Result<WrenchSample> WristPoses::sampleOf(const geometry_msgs::WrenchStamped& message) const {

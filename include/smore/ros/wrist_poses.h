@@ -11,7 +11,6 @@
 
 #include "smore/contact/contact_observation.h"
 #include "smore/ros/conversions.h"
-#include "smore/ros/stamp_order.h"
 
 namespace smore {
 
@@ -21,8 +20,7 @@ class WristPoses {
   explicit WristPoses(const FrameNames& frames) : frames_(frames) {}
 
   /// Takes the transforms of a message. What cannot be used (no frame, not newer than the last one
-  /// of the same frame, or far from it in time and not confirmed) is left out; what was wrong, else
-  /// empty. Where a frame's time went back all that moves is forgotten.
+  /// of the same frame) is left out; what was wrong, else empty.
   std::string add(const tf2_msgs::TFMessage& message, bool is_static);
 
   /// Forgets everything.
@@ -37,14 +35,12 @@ class WristPoses {
   bool begunAfter(const ros::Time& stamp, double lead) const;
 
  private:
-  /// Why a moving transform cannot be used now, else empty.
-  std::string orderProblem(const geometry_msgs::TransformStamped& transform);
   Result<Pose> lookUp(const std::string& target, const std::string& source,
                       const ros::Time& stamp) const;
 
   FrameNames frames_;
   tf2::BufferCore transforms_;
-  std::map<std::string, StampOrder> stamps_;  ///< of each frame's transforms
+  std::map<std::string, ros::Time> newest_;  ///< stamp of the newest transform of each frame
 };
 
 /// Why tf can never place something in this frame: a name that is empty or begins with '/'; empty
