@@ -8,10 +8,7 @@ import json
 import pathlib
 import sys
 
-
-def number(value, digits):
-    """A number, or a dash where there is none: as of trials that were all broken off."""
-    return "-" if value is None else f"{value:.{digits}f}"
+from table_of_scores import number
 
 
 def row(result):
@@ -26,7 +23,10 @@ def row(result):
 
 
 def main():
-    if len(sys.argv) < 2 or not all(pathlib.Path(name).is_file() for name in sys.argv[1:]):
+    missing = [name for name in sys.argv[1:] if not pathlib.Path(name).is_file()]
+    if missing:
+        sys.exit(f"{missing[0]}: there is no such file")
+    if len(sys.argv) < 2:
         sys.exit("usage: table_of_results.py RESULT.json [RESULT.json ...]")
     print("| scene | method | mean | median | least | most | at the goal | s a plan |")
     print("|---|---|---|---|---|---|---|---|")
