@@ -9,6 +9,7 @@
 #include "smore/mapping/octomap_export.h"
 
 namespace smore {
+
 void saveMaps(const TwinMap& maps, const std::string& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);

@@ -30,18 +30,6 @@ std::string text(const Pose& pose) {
   return stream.str();
 }
 
-std::vector<Vec3> corners(const Bounds& box) {
-  constexpr int kCorners = 8;
-  std::vector<Vec3> corners;
-  corners.reserve(kCorners);
-  for (int i = 0; i < kCorners; ++i) {
-    corners.emplace_back((i & 1) != 0 ? box.max.x() : box.min.x(),
-                         (i & 2) != 0 ? box.max.y() : box.min.y(),
-                         (i & 4) != 0 ? box.max.z() : box.min.z());
-  }
-  return corners;
-}
-
 }  // namespace
 
 ArmMotionParameters armMotionParameters(const Scenario& scenario) {
@@ -52,7 +40,8 @@ ArmMotionParameters armMotionParameters(const Scenario& scenario) {
   parameters.angular_speed = scenario.angular_speed;
   parameters.wanted = {scenario.goal};
   const Vec3 normal = scenario.start.linear().col(2);
-  for (Vec3 corner : corners(scenario.workspace)) {
+  for (int i = 0; i < kCorners; ++i) {
+    Vec3 corner = scenario.workspace.corner(i);
     if (scenario.motion == Motion::kPlanar) {
       corner -= normal * normal.dot(corner - scenario.start.translation());
     }

@@ -35,6 +35,10 @@ int likeliestOf(const std::array<int, kUnits>& counts) {
   return static_cast<int>(std::max_element(counts.begin(), counts.end()) - counts.begin());
 }
 
+FeatureParameters featureAt(const JointBeliefParameters& parameters, int index) {
+  return inMetres(parameters, unitOfLength(index), unitOfLength(index)).feature;
+}
+
 // Hypotheses in an order in which those of any part of it have surfaces of all sizes.
 int scattered(int place) { return (27 * place + 5) % kHypotheses; }
 
@@ -95,8 +99,7 @@ bool JointBelief::addContact(const Pose& T_world_object, const LineOfAction& lin
 // At the unit at which a line may pass farthest from the hand.
 std::optional<ContactHypotheses> JointBelief::widestPlacesOf(const Pose& T_world_object,
                                                              const LineOfAction& line) const {
-  const double largest = unitOfLength(kUnits - 1);
-  const FeatureParameters widest = inMetres(parameters_, largest, largest).feature;
+  const FeatureParameters widest = featureAt(parameters_, kUnits - 1);
   return contactHypotheses(frame_.T_map_world() * T_world_object, line, widest, frame_.planar());
 }
 
@@ -176,8 +179,7 @@ std::array<int, kUnits> JointBelief::worldsByUnit(DrawnByUnit* drawn) const {
   while (likely[drawn->held] == 0) ++drawn->held;
   int largest = kUnits - 1;
   while (likely[largest] == 0) --largest;
-  const double widest =
-      inMetres(parameters_, unitOfLength(largest), unitOfLength(largest)).feature.reach;
+  const double widest = featureAt(parameters_, largest).reach;
   const auto evidence = [&](int index) {
     const std::vector<JointSample>& samples = drawnAt(index, drawn).samples;
     return atUnit(index, *drawn).evidenceOf(samples, contacts_.size(), widest);

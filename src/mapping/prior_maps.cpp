@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "smore/common/result.h"
@@ -57,19 +58,15 @@ Source ofSolids(const std::vector<Shape>& shapes, const Bounds& extent) {
   return {[distance](const Vec3& point) { return (*distance)(point) <= 0.0; }, extent};
 }
 
-// A map of another resolution and pose.
-Source ofGrid(const VoxelGrid& grid, const Pose& pose) {
-  std::vector<Vec3> corners;
-  for (const VoxelGrid::Voxel& voxel : grid.voxels()) {
-    corners.push_back(pose * voxelCenter(voxel.key, grid.voxelSize()));
-  }
-  const Pose T_grid_map = pose.inverse();
-  const Knowledge knowledge = [grid, T_grid_map](const Vec3& point) -> std::optional<bool> {
-    const auto probability = grid.probability(voxelAt(T_grid_map * point, grid.voxelSize()));
-    if (!probability) return std::nullopt;
-    return *probability >= kOccupied;
+// Only surfaces were seen: where no point is, nothing is known.
+Source ofPoints(const std::vector<Vec3>& points, double voxel_size) {
+  VoxelGrid grid(voxel_size);
+  for (const Vec3& point : points) grid.set(voxelAt(point, voxel_size), 1.0F);
+  const Knowledge knowledge = [grid](const Vec3& point) -> std::optional<bool> {
+    if (!grid.probability(voxelAt(point, grid.voxelSize()))) return std::nullopt;
+    return true;
   };
-  return {knowledge, widened(boundsOf(corners), grid.voxelSize())};
+  return {knowledge, widened(boundsOf(points), 1.5 * voxel_size)};
 }
 
 // How many nodes the header of a file says that follow; a file that was cut has fewer.
@@ -87,15 +84,11 @@ using Octree = std::shared_ptr<const octomap::OcTree>;
 
 // Asked voxel by voxel: pruned leaves may span a whole building.
 Source ofOctree(const Octree& tree, const Pose& pose) {
-  Vec3 low, high;
-  tree->getMetricMin(low.x(), low.y(), low.z());
-  tree->getMetricMax(high.x(), high.y(), high.z());
+  Bounds box;
+  tree->getMetricMin(box.min.x(), box.min.y(), box.min.z());
+  tree->getMetricMax(box.max.x(), box.max.y(), box.max.z());
   std::vector<Vec3> corners;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 place((corner & 1) != 0 ? high.x() : low.x(), (corner & 2) != 0 ? high.y() : low.y(),
-                     (corner & 4) != 0 ? high.z() : low.z());
-    corners.push_back(pose * place);
-  }
+  for (int i = 0; i < kCorners; ++i) corners.push_back(pose * box.corner(i));
   const Pose T_tree_map = pose.inverse();
   const Knowledge knowledge = [tree, T_tree_map](const Vec3& point) -> std::optional<bool> {
     const Vec3 in_tree = T_tree_map * point;
@@ -122,18 +115,12 @@ Octree readOctree(const std::string& file) {
     throw InputError(file + ": not an OctoMap of occupancies, or an empty one; write it with " +
                      "octomap_saver or octovis");
   }
-  if (tree->size() < nodesInHeader(file)) {
+  const std::size_t nodes = nodesInHeader(file);
+  if (tree->size() < nodes) {
     throw InputError(file + ": ends after " + std::to_string(tree->size()) + " of " +
-                     std::to_string(nodesInHeader(file)) + " nodes; the file was cut");
+                     std::to_string(nodes) + " nodes; the file was cut");
   }
   return tree;
-}
-
-// Only surfaces were seen: where no point is, nothing is known.
-VoxelGrid gridOfPoints(const std::vector<Vec3>& points, double voxel_size) {
-  VoxelGrid grid(voxel_size);
-  for (const Vec3& point : points) grid.set(voxelAt(point, voxel_size), 1.0F);
-  return grid;
 }
 
 /// Makes the pieces of one map of a scene.
@@ -214,7 +201,7 @@ class PriorMaker {
   Source cloud(const PriorSource& entry) const {
     std::vector<Vec3> points = entry.file.empty() ? entry.points : loadPointCloud(entry.file);
     for (Vec3& point : points) point = entry.pose * point;
-    return ofGrid(gridOfPoints(points, voxel_size_), Pose::Identity());
+    return ofPoints(points, voxel_size_);
   }
 
   bool isInPlane(const Vec3& point) const {

@@ -24,7 +24,7 @@ std::vector<Eigen::Vector3f> placesWithin(float reach, bool planar) {
   CounterRandom random(0);
   std::vector<Eigen::Vector3f> places;
   while (static_cast<int>(places.size()) < kPlaces) {
-    const Vec3 place = planar ? random.inPlane() : random.inCube();
+    const Vec3 place = random.inCube(planar ? 2 : 3);
     if (place.norm() <= 1.0) places.push_back(reach * place.cast<float>());
   }
   return places;

@@ -93,12 +93,9 @@ Bounds planeBounds(const MotionSpace& space) {
   };
   const Pose T_plane_world = space.T_world_plane.inverse();
   const auto corner = [&](int index) {
-    const auto& box = space.workspace;
-    return Vec3(T_plane_world * Vec3((index & 1) != 0 ? box.max.x() : box.min.x(),
-                                     (index & 2) != 0 ? box.max.y() : box.min.y(),
-                                     (index & 4) != 0 ? box.max.z() : box.min.z()));
+    return Vec3(T_plane_world * space.workspace.corner(index));
   };
-  for (int a = 0; a < 8; ++a) {
+  for (int a = 0; a < kCorners; ++a) {
     if (std::abs(corner(a).z()) <= kRounding) include(corner(a));
     for (int bit = 1; bit < 8; bit *= 2) {
       const Vec3 from = corner(a);

@@ -41,6 +41,8 @@ bool MethodReplica::extend(const EvidencePart& part) {
 }
 
 Result<Plan> MethodReplica::plan(const Pose& start, const Pose& goal, bool relaxed) {
+  const std::string outside = scenario_.motionSpace().whyOutside(goal);
+  if (!outside.empty()) return Failure{"goal: " + outside};
   method_.planner->keepTree(true);
   return relaxed ? method_.planner->planRelaxed(start, goal) : method_.planner->plan(start, goal);
 }

@@ -122,8 +122,6 @@ class PlannerNode {
     if (!start) return "start: " + start.reason();
     const Result<Pose> goal = fromMessage(request.goal, parameters_.frames.world);
     if (!goal) return "goal: " + goal.reason();
-    const std::string outside = replica_.motionSpace().whyOutside(*goal);
-    if (!outside.empty()) return "goal: " + outside;
     std::string problem = synchronise(request.not_before);
     if (!problem.empty()) return problem;
 

@@ -100,7 +100,7 @@ void WrenchIntake::restart() {
 // How much newer wrenches are than the first one that waits [s].
 double WrenchIntake::waited() const {
   if (waiting_.empty()) return 0.0;
-  return (waiting_.back().header.stamp - waiting_.front().header.stamp).toSec();
+  return waiting_.back().header.stamp.toSec() - waiting_.front().header.stamp.toSec();
 }
 
 // Whether the first wrench waited too long, or too many wait.

@@ -90,7 +90,7 @@ bool WristPoses::begunAfter(const ros::Time& stamp, double lead) const {
   if (transforms_.canTransform(world, object, stamp)) return false;
   if (!transforms_.canTransform(world, object, ros::Time())) return false;
   const ros::Time newest = transforms_.lookupTransform(world, object, ros::Time()).header.stamp;
-  const double ahead = (newest - stamp).toSec();
+  const double ahead = newest.toSec() - stamp.toSec();
   return ahead > 0.0 && ahead < lead;
 }
 

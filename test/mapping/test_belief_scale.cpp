@@ -102,6 +102,22 @@ TEST(BeliefScale, AThinThingMayReachFar) {
   }
 }
 
+// Nothing is known of where it was: the pose alone is not tried again.
+TEST(BeliefScale, AContactOutOfReachOfTheUnitIsKeptAsAPose) {
+  JointBeliefParameters parameters = planarParameters();
+  JointBelief belief(parameters);
+  const Pose pose = makePose({0.3, 0.0, 0.0});
+  const double beyond = 1.2 * parameters.unit * parameters.feature.reach;
+  belief.observe(contactAt(pose, {0.2, beyond, 0.0}, {-1, 0, 0}));
+  const auto worlds = belief.worlds();
+  const auto share = [&](const Pose& T_world_object) {
+    return SampledWorlds::shareOf(
+        worlds->sampled.touching(worlds->frame.toMap(T_world_object).cast<float>()));
+  };
+  EXPECT_EQ(share(pose), 1.0);
+  EXPECT_EQ(share(makePose({0.1, 0.0, 0.0})), 0.0);
+}
+
 TEST(BeliefScale, AUnitThatIsToldIsTaken) {
   JointBeliefParameters parameters = planarParameters();
   parameters.unit = 0.25;

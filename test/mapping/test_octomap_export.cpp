@@ -92,7 +92,6 @@ TEST(ToOctree, isWrittenWholeOrNotAtAll) {
   EXPECT_EQ(std::unique_ptr<octomap::AbstractOcTree>(octomap::AbstractOcTree::read(file))->size(),
             tree->size());
   EXPECT_THROW(writeOctree(*tree, directory.path() + "/gone/map.ot"), std::runtime_error);
-  EXPECT_THROW(writeOctree(*tree, "/dev/full/map.ot"), std::runtime_error);
 }
 
 }  // namespace

@@ -127,6 +127,29 @@ TEST(PriorBelief, ACloudOfPointsPullsTouches) {
   EXPECT_GT(probabilityAt(belief.object(), {0.185, 0.0, 0.0}), 0.6);
 }
 
+// The object was free where the wall of that touch would go on. Such a touch claims no matter of
+// its own, so that there is nothing to go on.
+TEST(PriorBelief, ATouchOnAKnownSurfaceClaimsNoMatterBesideIt) {
+  Prior cloud{VoxelGrid(0.01), 0.999};
+  for (int i = -2; i <= 2; ++i) cloud.known.set(voxelAt({0.505, 0.01 * i, 0.0}, 0.01), 1.0F);
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kWorld, cloud);
+  belief.observe(contactAt(makePose({0.3, 0.0, 0.0}), {0.2, 0.0, 0.0}, {-1, 0, 0}));
+  for (int i = 10; i <= 62; ++i) belief.observe(freeAt(makePose({0.33, 0.01 * i, 0.0}), 0.0));
+  for (const double y : {0.2, 0.3, 0.4}) {
+    EXPECT_LT(probabilityAt(belief.world(), {0.515, y, 0.0}), 0.1) << y;
+  }
+}
+
+TEST(PriorBelief, FreeSpaceThatChangesWhatIsKnownIsANewRevision) {
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kObject, barKnown());
+  belief.know(MapSide::kWorld, wall(0.5));
+  const auto before = belief.revision();
+  belief.observe(freeAt(makePose({0.4, 0.0, 0.0}), 0.0));
+  EXPECT_GT(belief.revision(), before);
+}
+
 TEST(PriorBelief, TheUnitOfLengthIsThatOfAKnownObject) {
   JointBeliefParameters parameters = planarParameters();
   parameters.unit = 0.0;

@@ -31,7 +31,15 @@ struct Bounds {
   Vec3 max = Vec3::Zero();
 
   bool contains(const Vec3& point) const;
+
+  /// Of its eight corners the one at the upper end of x, y, z where bit 0, 1, 2 of `index` is set.
+  Vec3 corner(int index) const {
+    return {(index & 1) != 0 ? max.x() : min.x(), (index & 2) != 0 ? max.y() : min.y(),
+            (index & 4) != 0 ? max.z() : min.z()};
+  }
 };
+
+constexpr int kCorners = 8;  ///< of a box
 
 /// The pose at `position` [m] turned by roll, pitch and yaw [rad] about the fixed axes x, y and z
 /// in this order (the URDF convention).

@@ -34,18 +34,11 @@ class CounterRandom {
   /// Uniform in [-1, 1).
   double symmetric() { return 2.0 * uniform() - 1.0; }
 
-  /// Uniform in the cube from -1 to 1, its last coordinate drawn first: as arguments of one call
-  /// they would be drawn in an order that compilers choose.
-  Eigen::Vector3d inCube() {
-    Eigen::Vector3d place;
-    for (int axis = 2; axis >= 0; --axis) place[axis] = symmetric();
-    return place;
-  }
-
-  /// The same in the square in the plane z = 0.
-  Eigen::Vector3d inPlane() {
+  /// Uniform in the cube from -1 to 1, or of two `dimensions` in its square z = 0; the last one is
+  /// drawn first: as arguments of one call they would be drawn in an order that compilers choose.
+  Eigen::Vector3d inCube(int dimensions = 3) {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
-    for (int axis = 1; axis >= 0; --axis) place[axis] = symmetric();
+    for (int axis = dimensions - 1; axis >= 0; --axis) place[axis] = symmetric();
     return place;
   }
 

@@ -36,7 +36,8 @@ class MethodReplica {
   /// (where the method learns maps at all). InputError for knowledge that the method cannot use.
   bool extend(const EvidencePart& part);
 
-  /// `relaxed`: as Planner::planRelaxed. Plans carry their trees.
+  /// `relaxed`: as Planner::planRelaxed. Plans carry their trees. A failure, with the reason, where
+  /// the goal is not in the space of motions.
   Result<Plan> plan(const Pose& start, const Pose& goal, bool relaxed = false);
 
   /// As TouchPlanner::nextTouch.
@@ -49,9 +50,6 @@ class MethodReplica {
   /// Probability that the motion has touched when each pose of `path` is reached; zeros for methods
   /// without risk.
   std::vector<double> risksAlong(const Path& path) const;
-
-  /// The poses that may be asked for.
-  MotionSpace motionSpace() const { return scenario_.motionSpace(); }
 
  private:
   void restart(std::uint64_t epoch, const Priors& priors);
