@@ -261,6 +261,13 @@ class ForceTorqueNode(unittest.TestCase):
         self.source.send_for(0.4)
         self.assertTrue(self.wait_for_state(ContactObservation.FREE))
 
+    def test_a_stamp_at_the_end_of_time_ends_nothing(self):
+        for with_pose in (False, True):
+            self.source.send(stamp=rospy.Time(2**32 - 1), with_pose=with_pose)
+            answer = self.is_answered(self.source.send_for(0.5))
+            self.assertIsNotNone(answer)
+            self.assertEqual(answer.state, ContactObservation.FREE)
+
     def test_time_that_goes_back_begins_anew(self):
         self.source.time = 0.5
         stamp = self.source.send_for(0.5)
