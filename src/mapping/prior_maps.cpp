@@ -87,8 +87,8 @@ Source ofOctree(const Octree& tree, const Pose& pose) {
   Bounds box;
   tree->getMetricMin(box.min.x(), box.min.y(), box.min.z());
   tree->getMetricMax(box.max.x(), box.max.y(), box.max.z());
-  std::vector<Vec3> corners;
-  for (int i = 0; i < kCorners; ++i) corners.push_back(pose * box.corner(i));
+  std::vector<Vec3> corners(kCorners);
+  for (int i = 0; i < kCorners; ++i) corners[i] = pose * box.corner(i);
   const Pose T_tree_map = pose.inverse();
   const Knowledge knowledge = [tree, T_tree_map](const Vec3& point) -> std::optional<bool> {
     const Vec3 in_tree = T_tree_map * point;
