@@ -52,7 +52,7 @@ class EvidenceReader {
       case 1:
         expect("task", fields);
         evidence_.source.task = readTask(fields);
-        return;
+        return checkPlace(fields, "start", evidence_.source.task.start);
       case 2:
         expect("method", fields);
         return takeMethod(fields);
@@ -99,7 +99,7 @@ class EvidenceReader {
     const std::string kind = record.text("record");
     if (kind == "observation") {
       evidence_.observations.push_back(readObservation(record));
-      checkPlace(record);
+      checkPlace(record, "pose", evidence_.observations.back().T_world_object);
     } else if (kind == "motion") {
       evidence_.motions.push_back(readMotion(record));
       evidence_.motions.back().observations_before = evidence_.observations.size();
@@ -116,13 +116,13 @@ class EvidenceReader {
   }
 
   // A pose farther out than the workspace is wide comes from a damaged digit.
-  void checkPlace(const JsonFields& record) const {
+  void checkPlace(const JsonFields& record, const std::string& key, const Pose& pose) const {
     Bounds bounds = evidence_.source.task.workspace;
     const double width = (bounds.max - bounds.min).norm();
     bounds.min.array() -= width;
     bounds.max.array() += width;
-    if (!bounds.contains(evidence_.observations.back().T_world_object.translation())) {
-      record.fail("pose", "far outside of the task's workspace; the record is damaged");
+    if (!bounds.contains(pose.translation())) {
+      record.fail(key, "far outside of the task's workspace; the record is damaged");
     }
   }
 

@@ -29,6 +29,7 @@ void addValues(const WrenchReport& now, Status* status) {
   status->add("received", now.received);
   status->add("dropped", now.dropped.total());
   status->add("dropped as not newer than the one before", now.dropped.repeated);
+  status->add("dropped for a stamp that leaps", now.dropped.stray);
   status->add("dropped for their frame_id", now.dropped.frameless);
   status->add("dropped for want of a pose", now.dropped.poseless);
   status->add("dropped as not finite", now.dropped.not_finite);

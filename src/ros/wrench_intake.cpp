@@ -8,13 +8,16 @@
 #include "smore/ros/names.h"
 
 namespace smore {
+
+using geometry_msgs::TransformStamped;
+
 namespace {
 
-constexpr double kTimeJump = 1.0;  // [s]; stamps that fall by less are merely out of order
-constexpr double kFarRate = 1.5;   // times the period that the parameters say, or its inverse
+constexpr double kFarRate = 1.5;  // times the period that the parameters say, or its inverse
 
 // In seconds: a duration does not hold the difference of any two times.
 bool wentBack(const ros::Time& stamp, const ros::Time& last) {
+  constexpr double kTimeJump = LeapFilter<geometry_msgs::WrenchStamped>::kLeap;
   return stamp.toSec() + kTimeJump < last.toSec();
 }
 
@@ -40,6 +43,16 @@ WrenchIntake::WrenchIntake(const ForceTorqueParameters& parameters,
 void WrenchIntake::onWrench(const geometry_msgs::WrenchStamped& message) {
   last_arrival_ = ros::WallTime::now();
   ++received_;
+  for (const geometry_msgs::WrenchStamped& believed : wrench_leaps_.take(message)) {
+    takeWrench(believed);
+  }
+  if (wrench_leaps_.dropped() > dropped_.stray) {
+    warnOfStray("a wrench");
+    dropped_.stray = wrench_leaps_.dropped();
+  }
+}
+
+void WrenchIntake::takeWrench(const geometry_msgs::WrenchStamped& message) {
   const ros::Time& stamp = message.header.stamp;
   if (wentBack(stamp, last_stamp_)) restart();
   if (stamp <= last_stamp_) {
@@ -61,7 +74,20 @@ void WrenchIntake::onWrench(const geometry_msgs::WrenchStamped& message) {
 }
 
 void WrenchIntake::onTransforms(const tf2_msgs::TFMessage& message) {
-  for (const geometry_msgs::TransformStamped& transform : message.transforms) {
+  tf2_msgs::TFMessage believed;
+  for (const TransformStamped& transform : message.transforms) {
+    TransformFilter& leaps = transform_leaps_[transform.child_frame_id];
+    const std::uint64_t dropped = leaps.dropped();
+    for (TransformStamped& through : leaps.take(transform)) {
+      believed.transforms.push_back(std::move(through));
+    }
+    if (leaps.dropped() > dropped) warnOfStray("a transform of '" + transform.child_frame_id + "'");
+  }
+  takeTransforms(believed);
+}
+
+void WrenchIntake::takeTransforms(const tf2_msgs::TFMessage& message) {
+  for (const TransformStamped& transform : message.transforms) {
     if (transform.child_frame_id != parameters_.frames.object) continue;
     if (wentBack(transform.header.stamp, last_pose_)) restart();
     last_pose_ = transform.header.stamp;
@@ -69,11 +95,27 @@ void WrenchIntake::onTransforms(const tf2_msgs::TFMessage& message) {
   warnOfTransform(poses_.add(message, false), &transform_warning_);
 }
 
+void WrenchIntake::warnOfStray(const std::string& what) {
+  if (stray_warning_.isDue())
+    ROS_WARN_STREAM(what << " dropped: its stamp is seconds from those before and after it; who "
+                            "stamps it, and by which clock?");
+}
+
+void WrenchIntake::takeOverdue() {
+  if (const auto wrench = wrench_leaps_.overdue()) takeWrench(*wrench);
+  tf2_msgs::TFMessage transforms;
+  for (auto& [frame, leaps] : transform_leaps_) {
+    if (const auto transform = leaps.overdue()) transforms.transforms.push_back(*transform);
+  }
+  takeTransforms(transforms);
+}
+
 void WrenchIntake::onStaticTransforms(const tf2_msgs::TFMessage& message) {
   warnOfTransform(poses_.add(message, true), &transform_warning_);
 }
 
 void WrenchIntake::handOn() {
+  takeOverdue();
   while (!waiting_.empty()) {
     const geometry_msgs::WrenchStamped& first = waiting_.front();
     const Result<WrenchSample> sample = poses_.sampleOf(first);

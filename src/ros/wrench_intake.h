@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <geometry_msgs/TransformStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <string>
 
 #include "force_torque_parameters.h"
 #include "smore/contact/sample_rate.h"
+#include "smore/ros/leap_filter.h"
 #include "smore/ros/listener_status.h"
 #include "smore/ros/throttle.h"
 #include "smore/ros/wrist_poses.h"
@@ -17,8 +20,8 @@
 namespace smore {
 
 /// Keeps wrenches until the pose at their own stamps is known, and leaves out, with a warning now
-/// and then, what cannot be used: stamps that repeat, frames that tf cannot know, poses that do not
-/// come in time.
+/// and then, what cannot be used: stamps that repeat or stray (LeapFilter), frames that tf cannot
+/// know, poses that do not come in time.
 class WrenchIntake {
  public:
   using OnSample = std::function<void(const WrenchSample& sample, const ros::Time& stamp)>;
@@ -44,6 +47,12 @@ class WrenchIntake {
   std::uint64_t saturated() const { return saturated_; }
 
  private:
+  using TransformFilter = LeapFilter<geometry_msgs::TransformStamped>;
+
+  void takeWrench(const geometry_msgs::WrenchStamped& message);
+  void takeTransforms(const tf2_msgs::TFMessage& message);
+  void takeOverdue();
+  void warnOfStray(const std::string& what);
   void restart();
   double waited() const;
   bool expired() const;
@@ -54,6 +63,8 @@ class WrenchIntake {
   ForceTorqueParameters parameters_;
   std::function<void()> on_restart_;
   OnSample on_sample_;
+  LeapFilter<geometry_msgs::WrenchStamped> wrench_leaps_;
+  std::map<std::string, TransformFilter> transform_leaps_;  ///< by the frame that is placed
   WristPoses poses_;
   std::deque<geometry_msgs::WrenchStamped> waiting_;  ///< for their poses, oldest first
   ros::WallTime last_arrival_ = ros::WallTime::now();
@@ -65,6 +76,7 @@ class WrenchIntake {
   DroppedWrenches dropped_;
   Throttle repeated_warning_{kWarningPeriod}, frame_warning_{kWarningPeriod};
   Throttle pose_warning_{kWarningPeriod}, transform_warning_{kWarningPeriod};
+  Throttle stray_warning_{kWarningPeriod};
 };
 
 }  // namespace smore

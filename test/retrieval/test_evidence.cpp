@@ -217,10 +217,12 @@ TEST_P(EvidenceFile, refusesDamagedRecordsByTheirLine) {
   EXPECT_PRED2(says, damaged("\"time\":0.0", "\"time\":null"), "time: expected a finite number");
   EXPECT_PRED2(says, damaged("\"risk\":0.25", "\"risk\":1.25"), "line 4: risk");
   EXPECT_PRED2(says, damaged("\"pose\":[", "\"pose\":[1,"), "pose: expected 12 numbers");
-  std::string far = content;
-  const std::size_t pose = far.find("\"pose\":[");
-  far.replace(pose, far.find(']', pose) - pose, "\"pose\":[1,0,0,9e9,0,1,0,0,0,0,1,0");
-  EXPECT_PRED2(says, problemOf(far), "far outside");
+  for (const std::string key : {"pose", "start"}) {
+    std::string far = content;
+    const std::size_t at = far.find("\"" + key + "\":[");
+    far.replace(at, far.find(']', at) - at, "\"" + key + "\":[1,0,0,9e9,0,1,0,0,0,0,1,0");
+    EXPECT_PRED2(says, problemOf(far), key + ": far outside");
+  }
 }
 
 TEST_P(EvidenceFile, survivesAnyDamagedByte) {

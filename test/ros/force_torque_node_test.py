@@ -268,6 +268,22 @@ class ForceTorqueNode(unittest.TestCase):
             self.assertIsNotNone(answer)
             self.assertEqual(answer.state, ContactObservation.FREE)
 
+    def test_stamps_that_stray_change_nothing_also_under_load(self):
+        self.feed(0.3, force=(0, 0, 12))
+        for ahead in (3600.0, -3600.0):
+            for with_pose in (False, True):
+                stamp = rospy.Time.from_sec(self.source.time + ahead)
+                self.source.send(stamp=stamp, with_pose=with_pose, force=(0, 0, 12))
+                self.assertEqual(self.feed(0.3, force=(0, 0, 12)).state, ContactObservation.CONTACT)
+                self.assertNotIn(stamp, [message.header.stamp for message in self.contact.messages()])
+        self.assertTrue(self.warnings.wait_for("its stamp is seconds from those before and after it"))
+        touching = [message for message in self.contact.messages() if message.state == ContactObservation.CONTACT]
+        self.assertEqual(len({message.contact_id for message in touching}), 1)
+
+    def test_a_sample_after_a_leap_is_answered_though_none_follows(self):
+        self.source.time += 30.0
+        self.assertIsNotNone(self.is_answered(self.source.send()))
+
     def test_time_that_goes_back_begins_anew(self):
         self.source.time = 0.5
         stamp = self.source.send_for(0.5)

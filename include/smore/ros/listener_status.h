@@ -15,11 +15,12 @@ namespace smore {
 /// Wrenches that could not be used, by the reason why.
 struct DroppedWrenches {
   std::uint64_t repeated = 0;    ///< not newer than the one before
+  std::uint64_t stray = 0;       ///< of a stamp seconds from those before and after
   std::uint64_t frameless = 0;   ///< of a frame that tf cannot know
   std::uint64_t poseless = 0;    ///< tf did not know the pose at their stamp in time
   std::uint64_t not_finite = 0;  ///< or of a time that did not rise
 
-  std::uint64_t total() const { return repeated + frameless + poseless + not_finite; }
+  std::uint64_t total() const { return repeated + stray + frameless + poseless + not_finite; }
 };
 
 /// What the listener knows of the stream of wrenches.
