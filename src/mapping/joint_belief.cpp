@@ -26,8 +26,7 @@ constexpr int kMergedShare = 10;  // one in so many
 // By time, and by their numbers where they were made at one time.
 bool isBefore(const StampedPose& a, const StampedPose& b) {
   if (a.time != b.time) return a.time < b.time;
-  const double* of_a = a.T_map_object.data();
-  const double* of_b = b.T_map_object.data();
+  const double *of_a = a.T_map_object.data(), *of_b = b.T_map_object.data();
   return std::lexicographical_compare(of_a, of_a + 16, of_b, of_b + 16);
 }
 
@@ -50,8 +49,8 @@ JointBelief::JointBelief(const JointBeliefParameters& parameters)
 void JointBelief::observe(const ContactObservation& observation) {
   if (!isFinite(observation.T_world_object)) return;
   (void)voxelAt(observation.T_world_object.translation(), parameters_.voxel_size);  // in range
-  if (observation.state == ContactState::kFree) addFree(observation.T_world_object);
-  if (observation.state == ContactState::kContact) noteContact(observation);
+  const bool free = observation.state == ContactState::kFree;
+  free ? addFree(observation.T_world_object) : noteContact(observation);
 }
 
 void JointBelief::change() {
@@ -66,6 +65,7 @@ void JointBelief::noteContact(const ContactObservation& observation) {
     without_line = std::nullopt;
     return;
   }
+  if (observation.state != ContactState::kContact) return;  // unsure: with the line of a short one
   const StampedPose touched{observation.time, toMap(observation.T_world_object)};
   const auto [known, is_new] = poses_without_line_.emplace(observation.contact_id, touched);
   if (!is_new && (!known->second || !isBefore(touched, *known->second))) return;

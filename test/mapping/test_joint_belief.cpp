@@ -8,6 +8,7 @@
 #include <random>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "belief_observations.h"
@@ -158,6 +159,32 @@ TEST(JointBelief, AContactWhoseLineIsNotFiniteIsKnownByItsPose) {
   belief.observe(contact);
   EXPECT_EQ(belief.contactCount(), 0U);
   EXPECT_NE(belief.worlds()->sampled.touching(makePose({0.3, 0, 0}).cast<float>()), 0U);
+}
+
+// The line of a contact that was shorter than its average comes with the first sample after it.
+TEST(JointBelief, ShortContactsCountByTheirLinesThatComeWhenTheyAreOver) {
+  JointBelief belief(planarParameters());
+  ContactObservation contact = contactAt(makePose({0.3, 0, 0}), {0.2, 0, 0}, {-1, 0, 0});
+  const auto line = std::exchange(contact.line, std::nullopt);
+  belief.observe(contact);
+  EXPECT_EQ(belief.contactCount(), 0U);
+  ContactObservation over = contact;
+  over.state = ContactState::kUnsure;
+  over.T_world_object = makePose({0.299, 0, 0});
+  belief.observe(over);
+  EXPECT_EQ(belief.contactCount(), 0U);
+  over.line = line;
+  belief.observe(over);
+  EXPECT_EQ(belief.contactCount(), 1U);
+}
+
+TEST(JointBelief, WhatIsUnsureIsNoContact) {
+  JointBelief belief(planarParameters());
+  ContactObservation unsure = contactAt(makePose({0.3, 0, 0}), {0.2, 0, 0}, {-1, 0, 0});
+  unsure.state = ContactState::kUnsure;
+  unsure.line->point.x() = std::numeric_limits<double>::quiet_NaN();
+  belief.observe(unsure);
+  EXPECT_EQ(belief.worlds()->sampled.touching(makePose({0.3, 0, 0}).cast<float>()), 0U);
 }
 
 // One value: it does not change when the belief does, and all who ask meanwhile get the same one.

@@ -164,6 +164,8 @@ class RobotTwin(unittest.TestCase):
         self.touch()
         self.client.cancel_goal()
         self.assertTrue(has_ended(self.client))
+        # The maps learn a contact from its line, which comes with its end at the latest.
+        self.assertIsNotNone(self.contacts.wait_for(lambda m: m.has_line), "no line")
         self.forget()
         self.client.send_goal(RetrieveGoal(max_collisions=1))
         self.assertTrue(has_ended(self.client, 2 * DEADLINE))
