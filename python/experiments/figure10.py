@@ -11,7 +11,7 @@ import numpy as np
 from octree_file import OCCUPIED
 from scene_geometry import Scene
 
-from experiments import in_space, sweep
+from experiments import best_touches, in_space, sweep
 from experiments.recording import Recording
 from experiments.surface import Surface
 from experiments.trials import ROOT, evidence_of, recorded, reported_seeds
@@ -70,6 +70,10 @@ class Growth:
         """Centres of the occupied voxels before a motion [m], and their edge [m]."""
         centers, _sizes, probabilities, voxel = self.recording.maps_before(index, self.directory)[0]
         return centers[probabilities >= OCCUPIED], voxel
+
+    def places(self):
+        """Where each contact truly was, in the world [m]."""
+        return [motion.places.mean(axis=0) for motion in self.recording.motions if motion.places is not None and motion.places.size]
 
     def last(self):
         return self.occupied(len(self.recording.motions))
@@ -141,6 +145,18 @@ def table(growths):
     return "\n".join(lines) + "\n"
 
 
+def best_choice(growths, surface):
+    """How many touches would do at least for the completeness of the random ones."""
+    random = [growth.places() for growth in growths["random"]]
+    complete = np.mean([growth.completeness[-1] for growth in growths["random"]])
+    distance = best_touches.distance_for(surface, random, complete)
+    everywhere = [place for of_kind in growths.values() for growth in of_kind for place in growth.places()]
+    fewest = best_touches.fewest(surface, everywhere, distance, complete)
+    return (
+        f"\nThe random touches found {complete:.2f} of the surface, as much as lies within {100 * distance:.1f} cm of their "
+        f"places. Of all {len(everywhere)} touches made, the best {fewest} would find as much, were each known beforehand.\n")
+
+
 def report(records, directory):
     """Accuracy and completeness as text; the reconstructions, the distances, and both against touches."""
     scene = Scene(next(iter(records.values()))["trial"]["scenario"])
@@ -149,7 +165,7 @@ def report(records, directory):
         kind: [Growth(record, surface, directory) for name, record in records.items() if name.startswith(kind)]
         for kind in KINDS
     }
-    return table(growths), {
+    return table(growths) + best_choice(growths, surface), {
         "figure10_chair": draw_reconstructions(growths, scene), "figure10_distances": draw_distances(growths, surface),
         "figure10_growth": draw_growth(growths),
     }

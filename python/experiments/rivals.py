@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """All methods on all scenes, the planar ones and those in space; a trial is given up after 100 or 200 collisions."""
+import statistics
+
 import matplotlib
 
 matplotlib.use("Agg")
@@ -33,36 +35,54 @@ def trials(directory, quick):
     ]
 
 
+def name_of(method):
+    chosen = methods.METHODS[method]
+    return f"`{chosen.name}`, told the object" if chosen.told else f"`{chosen.name}`"
+
+
+def cell(results):
+    """Mean collisions of the trials that reached the goal, and how many did where that is not all."""
+    reached = [result["collisions"] for result in results if result["success"]]
+    if not results:
+        return ""
+    if not reached:
+        return "-"
+    some = "" if len(reached) == len(results) else f" ({len(reached)} of {len(results)})"
+    return f"{statistics.mean(reached):.1f}{some}"
+
+
 def table(results):
-    lines = [f"| scene | method | {methods.ROW_HEAD} |", "|---" * 7 + "|"]
+    """A row for each scene, a column for each method: empty where it was not tried."""
+    lines = [f"| scene | {' | '.join(map(name_of, methods.METHODS))} |", "|---" * (len(methods.METHODS) + 1) + "|"]
     for scene, by_method in results.items():
-        lines += [f"| {scene} | {method} | {methods.row(some)} |" for method, some in by_method.items()]
+        cells = [cell(by_method.get(method, [])) for method in methods.METHODS]
+        lines.append(f"| {scene} | {' | '.join(cells)} |")
     return "\n".join(lines) + "\n"
 
 
 def draw(results):
-    """Each trial a point, a cross where it was given up; a column for each scene."""
-    figure, axes = plt.subplots(figsize=(2.0 + 0.75 * len(results), 4.6), constrained_layout=True)
-    shifts = np.linspace(-0.3, 0.3, len(methods.METHODS))
-    for column, by_method in enumerate(results.values()):
-        for shift, (method, some) in zip(shifts, by_method.items()):
+    """Each trial a point, a cross where it was given up; a row for each scene."""
+    figure, axes = plt.subplots(figsize=(5.4, 1.4 + 0.38 * len(results)), constrained_layout=True)
+    shifts = dict(zip(methods.METHODS, np.linspace(-0.33, 0.33, len(methods.METHODS))))
+    for row, by_method in enumerate(results.values()):
+        for method, some in by_method.items():
             counts = np.maximum([result["collisions"] for result in some], plot_results.LEAST)
             reached = np.array([result["success"] for result in some])
-            place, color = np.full(len(some), column + shift), plot_results.COLORS[method]
-            label = method if column == 0 else None
-            axes.scatter(place[reached], counts[reached], s=18, color=color)
-            axes.scatter(place[~reached], counts[~reached], s=22, marker="x", color=color)
-            axes.plot([], [], "o", color=color, label=label)
+            place, color = np.full(len(some), row + shifts[method]), plot_results.COLORS[method]
+            axes.scatter(counts[reached], place[reached], s=14, color=color)
+            axes.scatter(counts[~reached], place[~reached], s=16, marker="x", linewidths=1.0, color=color)
+    for method in methods.METHODS:
+        axes.plot([], [], "o", color=plot_results.COLORS[method], label=name_of(method).replace("`", ""))
     for edge in range(1, len(results)):
-        axes.axvline(edge - 0.5, color="#cccccc", linewidth=0.6)
-    axes.set_yscale("log")
-    axes.yaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
-    axes.set_xlim(-0.5, len(results) - 0.5)
-    axes.set_xticks(range(len(results)))
-    axes.set_xticklabels([scene.replace("_", " ") for scene in results], rotation=45, ha="right", fontsize=8)
-    axes.set_ylabel("collisions until the goal\n(crosses: given up)")
-    axes.grid(axis="y", which="major", alpha=0.3)
-    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=3, fontsize=8, frameon=False)
+        axes.axhline(edge - 0.5, color="#cccccc", linewidth=0.6)
+    axes.set_xscale("log")
+    axes.xaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
+    axes.set_ylim(len(results) - 0.5, -0.5)
+    axes.set_yticks(range(len(results)))
+    axes.set_yticklabels([scene.replace("_", " ") for scene in results], fontsize=8)
+    axes.set_xlabel("collisions until the goal (crosses: given up)")
+    axes.grid(axis="x", which="major", alpha=0.3)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.4, 1.0), ncol=3, fontsize=8, frameon=False)
     return figure
 
 

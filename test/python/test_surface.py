@@ -13,6 +13,7 @@ import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
+from experiments import best_touches  # noqa: E402
 from experiments.in_space import edges_of  # noqa: E402
 from experiments.surface import Surface, points_of, winding  # noqa: E402
 
@@ -56,6 +57,18 @@ class SurfaceTest(unittest.TestCase):
         np.testing.assert_allclose(found, [0.05, 0.1, 0.1 * np.sqrt(3)], atol=0.007)
         self.assertAlmostEqual(surface.share_near([[0.1, 0, 0]], 0.08), np.pi * 0.08**2 / 0.24, delta=0.004)
         self.assertEqual(surface.share_near(np.zeros((0, 3)), 0.08), 0.0)
+
+    def test_the_best_touches_are_one_in_the_middle_of_each_face(self):
+        surface = Surface([box((0.2, 0.2, 0.2), (0, 0, 0))])
+        middles = [sign * 0.1 * np.eye(3)[axis] for axis, sign in itertools.product(range(3), (1, -1))]
+        corners = [np.array(corner) for corner in itertools.product((0.1, -0.1), repeat=3)]
+        whole = best_touches.distance_for(surface, [middles], 1.0)
+        self.assertAlmostEqual(whole, 0.1 * np.sqrt(2), delta=0.006)
+        self.assertEqual(best_touches.fewest(surface, corners + middles, 0.06, 0.0), 0)
+        for count in (1, 3, 6):
+            wanted = 0.99 * count * np.pi * 0.06**2 / 0.24
+            self.assertEqual(best_touches.fewest(surface, corners + middles, 0.06, wanted), count)
+        self.assertIsNone(best_touches.fewest(surface, corners, 0.06, 1.0))
 
     def test_a_box_has_twelve_edges(self):
         self.assertEqual(len(edges_of(box((0.2, 0.4, 0.6), (0, 0, 0)))), 12)
