@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Prints result files of smore_experiment as one table in Markdown.
+"""Prints result files of smore_experiment as one table in Markdown; those of the same scene and method with their names.
 
     table_of_results.py RESULT.json [RESULT.json ...]
 """
+import collections
 import json
 import pathlib
 import sys
@@ -11,13 +12,19 @@ import sys
 from table_of_scores import number
 
 
-def row(result):
+def key(result):
+    return result["scenario"], result["method"]
+
+
+def row(result, name):
+    """`name` tells it from others of the same scene and method; empty where there are none."""
+    method = f"{result['method']} ({name})" if name else result["method"]
     collisions = result["summary"]["collisions"]
     trials = result["trials"]
     reached = sum(trial["success"] for trial in trials)
     plans = sum(trial["plans"] for trial in trials)
     planning = sum(trial["planning_s"] for trial in trials) / max(plans, 1)
-    return (f"| {result['scenario']} | {result['method']} | {number(collisions['mean'], 1)} | "
+    return (f"| {result['scenario']} | {method} | {number(collisions['mean'], 1)} | "
             f"{number(collisions['median'], 0)} | {number(collisions['min'], 0)} | {number(collisions['max'], 0)} | "
             f"{reached} of {len(trials)} | {planning:.2f} |")
 
@@ -30,8 +37,10 @@ def main():
         sys.exit("usage: table_of_results.py RESULT.json [RESULT.json ...]")
     print("| scene | method | mean | median | least | most | at the goal | s a plan |")
     print("|---|---|---|---|---|---|---|---|")
-    for name in sys.argv[1:]:
-        print(row(json.loads(pathlib.Path(name).read_text())))
+    results = {name: json.loads(pathlib.Path(name).read_text()) for name in sys.argv[1:]}
+    alike = collections.Counter(map(key, results.values()))
+    for name, result in results.items():
+        print(row(result, pathlib.Path(name).stem if alike[key(result)] > 1 else ""))
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ from experiments.trials import Trial, reported_seeds, scene_with
 
 WHAT = "what the choices where the paper is silent do to its method's collisions on its scene, one at a time"
 SCENE = "s_shape_two_pegs"
-COUNT, QUICK_COUNT = 10, 1
+COUNT, QUICK_COUNT = 5, 1
 LIMIT, QUICK_LIMIT = 600, 40  # of collisions
 # A name, the parameters of the method (docs/laws.md), and keys of the scene.
 CHOICES = (

@@ -2,6 +2,7 @@
 #include "smore/contact/contact_sensing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -254,11 +255,12 @@ void ContactSensing::addErrors(LineOfAction* line) {
   const double turn = parameters_.line.added_direction_stddev;
   const double shift = parameters_.line.added_offset_stddev;
   if (turn <= 0.0 && shift <= 0.0) return;
-  std::normal_distribution<double> normal;
   const auto [first, second] = perpendiculars(line->direction);
-  line->point += shift * (normal(random_) * first + normal(random_) * second);
-  line->direction =
-      (line->direction + turn * (normal(random_) * first + normal(random_) * second)).normalized();
+  std::normal_distribution<double> normal;
+  std::array<double, 4> drawn{};
+  for (double& number : drawn) number = normal(random_);  // not in a sum: its order is free
+  line->point += shift * (drawn[0] * first + drawn[1] * second);
+  line->direction = (line->direction + turn * (drawn[2] * first + drawn[3] * second)).normalized();
   line->direction_stddev = std::hypot(line->direction_stddev, turn);
   line->offset_stddev = std::hypot(line->offset_stddev, shift);
 }

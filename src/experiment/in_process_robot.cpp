@@ -14,6 +14,7 @@ namespace {
 constexpr double kSettleDeadline = 2.0;  // simulated [s]; a contact settles in a tenth of it
 constexpr double kTareDeadline = 60.0;   // simulated [s]
 constexpr int kMostStretches = 20;       // of a retreat, while something still touches
+constexpr char kTooNoisy[] = "it takes longer to average so much noise; tell less wrench_noise";
 
 MotionResult fault(const std::string& reason) {
   MotionResult result;
@@ -44,8 +45,9 @@ InProcessRobot::InProcessRobot(SimulatedRobot* robot, const ContactSensingParame
   while (!sensing_.tared()) {
     advance(false);
     if (robot_->time() > deadline) {
-      throw std::runtime_error("no tare within " + std::to_string(kTareDeadline) +
-                               " s: " + sensing_.tareProblem());
+      const std::string& problem = sensing_.tareProblem();
+      throw std::runtime_error("no tare within a minute: " +
+                               (problem.empty() ? std::string(kTooNoisy) : problem));
     }
   }
   if (!waitUntilFree()) throw std::runtime_error("the sensor feels a force at the start pose");

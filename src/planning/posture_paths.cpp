@@ -96,8 +96,9 @@ Eigen::Quaternionf PosturePaths::turned(const RiskState& start, const RiskState&
         Eigen::AngleAxisf(static_cast<float>(M_PI_2) * static_cast<float>(random->index(4)), axis));
   };
   const Eigen::Quaternionf turn = about(Eigen::Vector3f::UnitZ());
-  if (space_.planar()) return turn * start.rotation;
-  return about(Eigen::Vector3f::UnitX()) * about(Eigen::Vector3f::UnitY()) * turn * start.rotation;
+  const Eigen::Quaternionf pitch = about(Eigen::Vector3f::UnitY());
+  const Eigen::Quaternionf roll = about(Eigen::Vector3f::UnitX());
+  return roll * pitch * turn * start.rotation;
 }
 
 // By the middle motion alone, where most of them fail.

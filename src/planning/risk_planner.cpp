@@ -24,7 +24,7 @@ constexpr double kNear = 1.0;             // [units of length]
 constexpr double kWide = 3.5;             // [units of length]
 constexpr double kRadiansPerUnit = 0.25;  // of local samples: sweeping turns at short distances
 
-// A chain of steps towards the other tree is at most as long as a workspace is wide.
+// Steps of a chain towards the other tree, at most: what is farther away is left to later samples.
 constexpr int kLongestConnection = 60;
 
 constexpr double kMoveDistance = 0.5;  // of inner states of a path [units of length]

@@ -126,8 +126,8 @@ class ForceTorqueNode {
           response.success = answer && answer->success;
           response.message =
               answer ? answer->message
-                     : "no tare within the timeout: check that wrenches and transforms arrive and "
-                       "that the robot stands still; the log says more";
+                     : "nothing was taken within tare_timeout: check that wrenches and transforms "
+                       "arrive and that the robot stands still; the log says more";
           return true;
         };
     return service_node_.advertiseService(name, callback);

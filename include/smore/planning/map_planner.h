@@ -34,7 +34,8 @@ struct MapPlannerParameters {
 /// the maps stay as they are, and the start is never the reason why there is no plan.
 class MapPlanner : public Planner {
  public:
-  /// `map` must outlive the planner. Call i (from 0) draws its samples from `seed` + i.
+  /// `map` must outlive the planner. Search i (from 0) draws its samples from `seed` + i;
+  /// a relaxed plan takes several.
   /// std::invalid_argument for parameters out of their ranges.
   MapPlanner(const TwinMap& map, const MotionSpace& space, const MapPlannerParameters& parameters,
              std::uint32_t seed);

@@ -15,9 +15,8 @@ struct TreeEdge {
 };
 
 struct Plan {
-  Path path;  ///< from the start to within the goal's tolerance
-  double risk =
-      0.0;  ///< probability that the motion touches, as far as the planner knows; in [0, 1]
+  Path path;          ///< from the start to within the goal's tolerance
+  double risk = 0.0;  ///< that the motion touches, as far as the planner knows: a probability
   std::vector<TreeEdge> tree = {};  ///< what the search explored, for display; see keepTree
 };
 
