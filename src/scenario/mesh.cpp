@@ -13,9 +13,6 @@
 namespace smore {
 namespace {
 
-// Nothing that a hand could hold or reach is larger or farther from its own origin [m].
-constexpr double kLargest = 100.0;
-
 Vec3 extentOf(const MeshShape& mesh) {
   const Bounds bounds = boundsOf({{mesh, Pose::Identity()}});
   return bounds.max - bounds.min;
@@ -34,20 +31,20 @@ MeshShape scaled(MeshFile content, const Vec3& scale, const std::string& file) {
   return mesh;
 }
 
-void checkSize(const MeshShape& mesh, const Vec3& scale, const std::string& file) {
+void checkSize(const MeshShape& mesh, const Vec3& scale, double largest, const std::string& file) {
   const double size = extentOf(mesh).maxCoeff();
   std::ostringstream problem;
-  if (size > kLargest) {
+  if (size > largest) {
     const Vec3 try_this = scale / 1000.0;
-    problem << file << ": " << size << " m large, above " << kLargest
+    problem << file << ": " << size << " m large, above " << largest
             << " m; looks like millimetres; scale: [" << try_this.x() << ", " << try_this.y()
             << ", " << try_this.z() << "]";
     throw InputError(problem.str());
   }
   const Bounds bounds = boundsOf({{mesh, Pose::Identity()}});
   const double far = bounds.min.cwiseAbs().cwiseMax(bounds.max.cwiseAbs()).maxCoeff();
-  if (far > kLargest) {
-    problem << file << ": lies " << far << " m from its own origin, beyond " << kLargest
+  if (far > largest) {
+    problem << file << ": lies " << far << " m from its own origin, beyond " << largest
             << " m; move it there in the program that made it";
     throw InputError(problem.str());
   }
@@ -121,10 +118,10 @@ class HullDepth {
 
 }  // namespace
 
-MeshShape loadMesh(const std::string& file, const Vec3& scale) {
+MeshShape loadMesh(const std::string& file, const Vec3& scale, double largest) {
   MeshShape mesh = scaled(readMeshFile(file), scale, file);
   if (mesh.triangles.empty()) throw InputError(file + ": no triangles; export the mesh anew");
-  checkSize(mesh, scale, file);
+  checkSize(mesh, scale, largest, file);
   if (!isClosed(mesh)) {
     throw InputError(file + ": the surface is not closed or its triangles are turned both ways; " +
                      "close its holes and make its normals consistent");

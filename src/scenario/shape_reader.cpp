@@ -40,7 +40,8 @@ MeshShape readMesh(ParameterReader* reader, const std::string& directory, bool m
   if (reader->has("scale")) reader->vector("scale", &scale, kScale);
   if (file.empty()) return {};
   try {
-    MeshShape mesh = loadMesh(file.front() == '/' ? file : directory + file, scale);
+    MeshShape mesh = loadMesh(file.front() == '/' ? file : directory + file, scale,
+                              moves ? kLargestHeld : kLargestScene);
     if (moves && !servesAsHull(mesh)) decompose(&mesh);
     return mesh;
   } catch (const InputError& problem) {

@@ -154,6 +154,9 @@ TEST_F(MeshTest, aMeshInMillimetresIsToldWithTheScaleToTry) {
                          "scale: [0.001, 0.001, 0.001]"),
             std::string::npos)
       << problem;
+  const std::string small = directory_.write("mug.obj", prismObj({{0, 0}, {80, 0}, {0, 60}}, 60.0));
+  EXPECT_NO_THROW(loadMesh(small, Vec3::Ones()));  // of a scene it might be
+  EXPECT_THROW(loadMesh(small, Vec3::Ones(), kLargestHeld), InputError);
   EXPECT_NE(problemOf("far.obj", prismObj({{900, 0}, {901, 0}, {900, 1}}, 1.0)).find("own origin"),
             std::string::npos);
 }

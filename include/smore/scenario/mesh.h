@@ -10,11 +10,17 @@
 
 namespace smore {
 
+/// No scene is larger, or farther from its own origin [m].
+constexpr double kLargestScene = 100.0;
+/// Nor is anything that a gripper holds [m]: a centimetre in a file of millimetres is.
+constexpr double kLargestHeld = 10.0;
+
 /// Reads an STL, OBJ, PLY or DAE file, each vertex multiplied by `scale`. Equal vertices are joined
 /// and triangles are turned so that they are counter-clockwise from outside. InputError with file
-/// and remedy: unreadable, another format, values that are not finite, more than 100 m large or
-/// from its own origin, a surface that is not closed or not consistently turned, no volume.
-MeshShape loadMesh(const std::string& file, const Vec3& scale);
+/// and remedy: unreadable, another format, values that are not finite, more than `largest` [m]
+/// large or from its own origin, a surface that is not closed or not consistently turned, no
+/// volume.
+MeshShape loadMesh(const std::string& file, const Vec3& scale, double largest = kLargestScene);
 
 /// What a convex mesh may lie below its hull, in diagonals of its bounding box: what files round
 /// (a micrometre where they give six decimals of a metre) for solids from a centimetre.
