@@ -3,25 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "smore/planning/risk_motion.h"
 
 namespace smore {
 namespace {
 
-// Between two checks no matter moves farther than this share of the distance at which two balls
-// touch, on each of the two ways to move it; it cannot pass through another unseen.
-constexpr double kCheckShare = 0.3;
-
 // Probability that one more world would touch: with Jeffreys' prior for a share, none in a number
 // of independent worlds is not yet never.
 double predictedShare(double share) { return (kHypotheses * share + 0.5) / (kHypotheses + 1.0); }
-
-// Where there is no matter, any will do.
-double checkDistance(const SampledWorlds& worlds) {
-  const double touching = worlds.contactDistance();
-  return touching > 0.0 ? kCheckShare * touching : std::numeric_limits<double>::infinity();
-}
 
 // Poses whose mean stands for all that were free.
 constexpr std::size_t kMostSamples = 64;

@@ -10,10 +10,6 @@
 namespace smore {
 namespace {
 
-// Checks are this share of the contact distance apart: matter near the lever's length cannot pass
-// through other matter between two of them.
-constexpr double kCheckShare = 0.3;
-
 // Rounds over a motion, each of every fourth of its poses: most bad motions show in the first.
 constexpr int kPasses = 4;
 
@@ -44,11 +40,17 @@ RiskState interpolate(const RiskState& a, const RiskState& b, float fraction) {
           a.rotation.slerp(fraction, b.rotation)};
 }
 
-RiskMotions::RiskMotions(const SampledWorlds& worlds, double lever, bool full_turns)
-    : worlds_(&worlds), lever_(static_cast<float>(lever)), full_turns_(full_turns) {
-  const double distance = worlds.contactDistance();
-  check_ = distance > 0.0 ? kCheckShare * distance : std::numeric_limits<double>::infinity();
+double checkDistance(const SampledWorlds& worlds) {
+  constexpr double kCheckShare = 0.3;
+  const double touching = worlds.contactDistance();
+  return touching > 0.0 ? kCheckShare * touching : std::numeric_limits<double>::infinity();
 }
+
+RiskMotions::RiskMotions(const SampledWorlds& worlds, double lever, bool full_turns)
+    : worlds_(&worlds),
+      lever_(static_cast<float>(lever)),
+      full_turns_(full_turns),
+      check_(checkDistance(worlds)) {}
 
 float RiskMotions::squaredDistance(const RiskState& a, const RiskState& b) const {
   // Series of the squared angle in 1 - |cos(angle / 2)|; 1 % short of pi squared at worst.

@@ -18,15 +18,14 @@ constexpr Range kVoxelSize{1e-6, 10.0};  // [m]
 void readRuns(const JsonFields& record, const std::string& key, float probability,
               VoxelGrid* grid) {
   constexpr int kMost = std::numeric_limits<std::uint16_t>::max();
-  constexpr std::size_t kNumbersOfRun = 4;
   const Json& runs = record.raw(key);
-  const bool whole = runs.is_array() && runs.size() % kNumbersOfRun == 0 &&
-                     std::all_of(runs.begin(), runs.end(), [](const Json& number) {
-                       return number.is_number_integer() && number >= -kMost && number <= kMost;
-                     });
-  if (!whole) record.fail(key, "expected runs of four whole numbers; the record is damaged");
-  if (!setRuns(runs.get<std::vector<std::int32_t>>(), probability, grid)) {
-    record.fail(key, "a run beyond the range of voxels; the record is damaged");
+  const bool whole =
+      runs.is_array() && std::all_of(runs.begin(), runs.end(), [](const Json& number) {
+        return number.is_number_integer() && number >= -kMost && number <= kMost;
+      });
+  if (!whole || !setRuns(runs.get<std::vector<std::int32_t>>(), probability, grid)) {
+    record.fail(
+        key, "expected runs of four whole numbers in the range of voxels; the record is damaged");
   }
 }
 

@@ -135,7 +135,7 @@ TEST_F(KnownEvidence, isRefusedWhereItsRecordIsDamaged) {
   expect("\"confidence\":0.9", "\"confidence\":1.0", "confidence");
   expect("\"matter\":[0,", "\"matter\":[", "matter: expected runs");
   expect("\"matter\":[0,", "\"matter\":[0.5,", "matter: expected runs");
-  expect("\"matter\":[0,", "\"matter\":[32767,", "beyond the range");
+  expect("\"matter\":[0,", "\"matter\":[32767,", "in the range of voxels");
 }
 
 TEST_F(KnownEvidence, isRefusedByMethodsThatCannotUseIt) {

@@ -32,6 +32,11 @@ struct MotionCost {
   MotionCost& operator+=(const MotionCost& other);
 };
 
+/// How far apart motions are checked [m]: between two checks no matter moves farther than a share
+/// of the distance at which two balls touch, on each of the two ways to move it, so that it cannot
+/// pass through another unseen. Infinite where there is no matter.
+double checkDistance(const SampledWorlds& worlds);
+
 /// Straight motions in the sampled worlds and the metric in which the search measures them.
 class RiskMotions {
  public:
@@ -39,7 +44,7 @@ class RiskMotions {
   /// the map's z axis leads past half a turn from the map's axes.
   RiskMotions(const SampledWorlds& worlds, double lever, bool full_turns = true);
 
-  /// Square root of squared distance of the origins plus squared lever times angle.
+  /// The squared distance of the origins plus the square of lever times angle [m^2], and its root.
   float squaredDistance(const RiskState& a, const RiskState& b) const;
   double distance(const RiskState& a, const RiskState& b) const;
 
