@@ -2,6 +2,7 @@
 """Trials of smore_experiment, side by side, each kept as one line as soon as it is finished."""
 import concurrent.futures
 import dataclasses
+import hashlib
 import json
 import pathlib
 import re
@@ -36,6 +37,15 @@ class Trial:
             str(PROGRAM), "--scenario", self.scenario, "--seed", str(self.seed), "--method", self.method,
             *self.options, "--output", str(output),
         ]
+
+    def settings(self, directory):
+        """All that its result depends on, but for the program: equal wherever `directory` lies, and another one when a
+        scene or a file of parameters has changed."""
+        scene = ROOT / f"config/scenarios/{self.scenario}.yaml"
+        files = [scene if scene.exists() else self.scenario, *self.options]
+        contents = [hashlib.sha1(path.read_bytes()).hexdigest() for path in map(pathlib.Path, files) if path.is_file()]
+        told = json.dumps(dataclasses.asdict(self)).replace(str(directory), "DIR")
+        return {**json.loads(told), "contents": contents}
 
     def evidence(self):
         """The file that it records, or None."""
@@ -77,17 +87,22 @@ class TrialError(RuntimeError):
 
 
 class Store:
-    """Finished trials in a file of JSON lines. A line that was cut while it was written does not count."""
+    """Finished trials in a file of JSON lines. A line that was cut while it was written does not count, nor does one
+    that is damaged."""
 
     def __init__(self, directory):
         directory.mkdir(parents=True, exist_ok=True)
+        self.directory = directory
         self.file = directory / "trials.jsonl"
         self.finished = {}
         text = self.file.read_text() if self.file.exists() else ""
         whole = text[: text.rfind("\n") + 1]
-        for line in whole.splitlines():
-            record = json.loads(line)
-            self.finished[record["trial"]["name"]] = record
+        for number, line in enumerate(whole.splitlines(), 1):
+            try:
+                record = json.loads(line)
+                self.finished[record["trial"]["name"]] = record
+            except (ValueError, KeyError, TypeError):
+                print(f"{self.file}: line {number} is damaged; its trial is run again", file=sys.stderr)
         if whole != text:
             self.file.write_text(whole)
 
@@ -95,12 +110,13 @@ class Store:
         """Whether this very trial is finished: another of its name, of other settings, is not, nor is one whose record
         is gone."""
         record = self.finished.get(trial.name)
-        if record is None or record["trial"] != json.loads(json.dumps(dataclasses.asdict(trial))):
+        if record is None or record.get("settings") != trial.settings(self.directory):
             return False
         return trial.evidence() is None or trial.evidence().exists()
 
     def add(self, trial, result):
-        line = json.dumps({"trial": dataclasses.asdict(trial), "result": result})
+        told = {"trial": dataclasses.asdict(trial), "settings": trial.settings(self.directory)}
+        line = json.dumps({**told, "result": result})
         with self.file.open("a") as stream:
             stream.write(line + "\n")
         self.finished[trial.name] = json.loads(line)
@@ -111,15 +127,19 @@ class Progress:
 
     def __init__(self, done, count):
         self.first, self.done, self.count, self.begin = done, done, count, time.monotonic()
+        if done < count:
+            self._show("")
 
     def step(self):
         self.done += 1
         rate = (time.monotonic() - self.begin) / (self.done - self.first)
-        left = rate * (self.count - self.done) / 60.0
+        self._show(f", about {rate * (self.count - self.done) / 60.0:.0f} min left ")
+
+    def _show(self, left):
         filled = 30 * self.done // self.count
         bar = "#" * filled + "." * (30 - filled)
         end = "\n" if self.done == self.count or not sys.stderr.isatty() else ""
-        print(f"\r[{bar}] {self.done} of {self.count} trials, about {left:.0f} min left ", end=end, file=sys.stderr)
+        print(f"\r[{bar}] {self.done} of {self.count} trials{left}", end=end, file=sys.stderr)
 
 
 def run_one(trial):
@@ -178,4 +198,5 @@ def run(trials, directory, jobs, scheduler=None):
         keep_finished(asked, store)  # interrupted, some may have ended unseen
     if problems:
         raise TrialError("\n".join(problems))
-    return {trial.name: store.finished[trial.name] for trial in trials}
+    here = {trial.name: {"trial": dataclasses.asdict(trial)} for trial in trials}  # DIR may have been moved
+    return {name: {**store.finished[name], **trial} for name, trial in here.items()}

@@ -124,6 +124,34 @@ class ExperimentsTest(unittest.TestCase):
         run([Trial("t", "scene", 1, options=("--max-collisions", "7"))], self.folder, 1)
         self.assertEqual(self.seeds_called(), [1, 1])
 
+    def test_a_trial_of_a_scene_that_has_changed_is_another(self):
+        scene = self.folder / "scene.yaml"
+        for text in ("voxel_size: 0.03", "voxel_size: 0.03", "voxel_size: 0.05"):
+            scene.write_text(text)
+            run([Trial("t", str(scene), 1)], self.folder, 1)
+        self.assertEqual(self.seeds_called(), [1, 1])
+
+    def test_a_directory_that_was_moved_keeps_its_trials(self):
+        def asked(directory):
+            return [trials.recorded("t", "scene", 1, "smore", directory)]
+
+        run(asked(self.folder / "here"), self.folder / "here", 1)
+        (self.folder / "here").rename(self.folder / "there")
+        record = run(asked(self.folder / "there"), self.folder / "there", 1)["t"]
+        self.assertEqual(self.seeds_called(), [1])
+        self.assertTrue(trials.evidence_of(record).exists())
+
+    def test_a_damaged_line_costs_its_own_trial_alone(self):
+        some = [Trial(f"t{seed}", "scene", seed) for seed in (1, 2)]
+        run(some, self.folder, 1)
+        file = self.folder / "trials.jsonl"
+        first, second = file.read_text().splitlines(True)
+        for damaged in ("\n", first[:20] + "\n", "[]\n", '{"trial": 1}\n'):
+            file.write_text(damaged + second)
+            self.assertEqual(list(Store(self.folder).finished), ["t2"])
+        self.assertEqual(set(run(some, self.folder, 1)), {"t1", "t2"})
+        self.assertEqual(self.seeds_called(), [1, 1, 2])
+
     def test_a_line_that_was_cut_is_run_again_and_the_others_stay(self):
         run([Trial(f"t{seed}", "scene", seed) for seed in (1, 2)], self.folder, 1)
         file = self.folder / "trials.jsonl"
