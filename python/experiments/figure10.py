@@ -103,7 +103,7 @@ def draw_growth(growths):
 
 
 def draw_distances(growths, surface):
-    """Histograms of the occupied voxels' distances, all trials of a kind together."""
+    """Histograms of the occupied voxels' distances, as shares, all trials of a kind together."""
     figure, axes = plt.subplots(figsize=(3.5, 2.9), constrained_layout=True)
     for kind, of_kind in growths.items():
         found = [growth.last() for growth in of_kind]
@@ -112,9 +112,10 @@ def draw_distances(growths, surface):
         share = np.mean(distances <= voxel) if distances.size else np.nan
         axes.hist(
             np.minimum(100 * distances, FARTHEST), bins=np.arange(0, FARTHEST + 1, 0.5), histtype="step",
+            weights=np.full(len(distances), 1 / max(1, len(distances))),
             linewidth=1.4, color=COLORS[kind], linestyle=STYLES[kind], label=f"{kind}: {share:.2f} within a voxel")
     axes.axvline(100 * voxel, color="#888888", linewidth=0.8)
-    axes.set(xlabel="distance to the chair's surface [cm]", ylabel="occupied voxels")
+    axes.set(xlabel="distance to the chair's surface [cm]", ylabel="share of the occupied voxels")
     axes.set_xticks([0, 4, 8, FARTHEST + 0.25])
     axes.set_xticklabels(["0", "4", "8", f"{FARTHEST}+"])
     axes.legend(frameon=False, fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 1.0))

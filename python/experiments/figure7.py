@@ -60,7 +60,11 @@ def draw_method(axes, line, method, results):
         axes.errorbar(mean, line, xerr=[[mean - low], [high - mean]], fmt="|", color="black", markersize=11, capsize=2,
                       linewidth=1.1)
         digits = 0 if mean >= 100 else 1
-        axes.annotate(f"{mean:.{digits}f}", (mean, line), (0, 7), textcoords="offset points", ha="center", fontsize=7)
+        axes.annotate(f"{mean:.{digits}f}", (mean, line), (0, 9), textcoords="offset points", ha="center", fontsize=7)
+    else:
+        within = results[0].get("interactions")  # of one method, which is given up by these
+        none = f"none in {within:,} interactions" if within else "none arrives"
+        axes.annotate(none, (counts.min(), line), (-5, 0), textcoords="offset points", ha="right", va="center", fontsize=6.5)
     if method in PAPER:
         axes.plot(PAPER[method], line, "D", markersize=5, markerfacecolor="none", markeredgecolor="#c62828")
 

@@ -21,6 +21,7 @@ PLANAR = (
 SPATIAL = ("hanger_on_rail", "hook_on_rail", "slit", "window")
 # What cspace remembers is too little to be worth its time in six dimensions (docs/experiments.md).
 SPATIAL_METHODS = [method for method in methods.METHODS if method != "cspace"]
+MARKERS = dict(zip(methods.METHODS, "os^Dvp"))
 COUNT, LIMIT = 3, 200  # trials of each, collisions of a trial
 QUICK_SCENES, QUICK_COUNT, QUICK_LIMIT = ("one_peg", "c_on_peg", "hook_on_peg"), 1, 40
 
@@ -60,6 +61,11 @@ def table(results):
     return "\n".join(lines) + "\n"
 
 
+def beside(counts):
+    """Shifts of trials that lasted equally long, so that each is seen."""
+    return 0.05 * np.array([np.count_nonzero(counts[:i] == count) for i, count in enumerate(counts)])
+
+
 def draw(results):
     """Each trial a point, a cross where it was given up; a row for each scene."""
     figure, axes = plt.subplots(figsize=(5.4, 1.4 + 0.38 * len(results)), constrained_layout=True)
@@ -68,11 +74,12 @@ def draw(results):
         for method, some in by_method.items():
             counts = np.maximum([result["collisions"] for result in some], plot_results.LEAST)
             reached = np.array([result["success"] for result in some])
-            place, color = np.full(len(some), row + shifts[method]), plot_results.COLORS[method]
-            axes.scatter(counts[reached], place[reached], s=14, color=color)
+            place, color = row + shifts[method] + beside(counts), plot_results.COLORS[method]
+            axes.scatter(counts[reached], place[reached], s=14, marker=MARKERS[method], color=color)
             axes.scatter(counts[~reached], place[~reached], s=16, marker="x", linewidths=1.0, color=color)
     for method in methods.METHODS:
-        axes.plot([], [], "o", color=plot_results.COLORS[method], label=name_of(method).replace("`", ""))
+        label = name_of(method).replace("`", "")
+        axes.plot([], [], MARKERS[method], color=plot_results.COLORS[method], label=label)
     for edge in range(1, len(results)):
         axes.axhline(edge - 0.5, color="#cccccc", linewidth=0.6)
     axes.set_xscale("log")

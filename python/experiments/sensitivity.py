@@ -30,6 +30,7 @@ SWEEPS = (
     ("line_noise", "{{direction: {}}}", (0, 0.05, 0.1, 0.2), "error of a line's\ndirection [rad]"),
     ("wrench_noise", "{{force_stddev: {}}}", (0, 0.5, 1.75, 3.5), "noise of a\nforce sample [N]"),
 )
+MARKERS = {"object": "o", "world": "^"}  # of the maps' precision
 RECORDED_COUNT, QUICK_RECORDED_COUNT = 5, 1  # trials whose evidence is told anew
 RATE = 500  # of the samples [1/s]
 ONE_IN = (1, 10, 50, 250)  # of them kept
@@ -59,35 +60,58 @@ def mean_or_none(values):
     return statistics.mean(known) if known else None
 
 
+def results_of(records, name):
+    return [record["result"] for trial, record in records.items() if trial.startswith(f"{name}/")]
+
+
 def measured(records, name):
     """Collisions, how many reached the goal, and precision of the object's and the world's map."""
-    results = [record["result"] for trial, record in records.items() if trial.startswith(f"{name}/")]
+    results = results_of(records, name)
     maps = [mean_or_none([result[side]["precision"] for result in results]) for side in ("object_map", "world_map")]
     return [result["collisions"] for result in results], sum(result["success"] for result in results), maps
 
 
-def draw_sweep(axes, records, key, values, label):
-    """Each trial a point, a bar at the mean; the methods side by side."""
-    for shift, method in zip((-0.12, 0.12), SCENES):
+def draw_collisions(axes, place, results, color):
+    """Each trial a point, a cross where it was given up, a bar at the mean."""
+    counts = np.maximum([result["collisions"] for result in results], LEAST)
+    reached = np.array([result["success"] for result in results])
+    axes.scatter(np.full(reached.sum(), place), counts[reached], s=9, color=color, alpha=0.4)
+    axes.scatter(np.full((~reached).sum(), place), counts[~reached], s=14, marker="x", linewidths=0.8, color=color, alpha=0.6)
+    axes.scatter([place], [counts.mean()], s=90, marker="_", color=color)
+
+
+def draw_sweep(panels, records, key, values, label):
+    """Collisions above, precision of both maps below; the methods side by side."""
+    for shift, method in zip((-0.14, 0.14), SCENES):
         for place, value in enumerate(values):
-            counts = np.maximum(measured(records, f"{method}/{key}={value}")[0], LEAST)
-            axes.scatter([place + shift] * len(counts), counts, s=9, color=COLORS[method], alpha=0.4)
-            name = f"{method}, {SCENES[method]}".replace("_", " ") if place == 0 else None
-            axes.scatter([place + shift], [counts.mean()], s=90, marker="_", color=COLORS[method], label=name)
-    axes.set_xticks(range(len(values)))
-    axes.set_xticklabels(values)
-    axes.set(xlabel=label, yscale="log")
-    axes.yaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
-    axes.grid(axis="y", alpha=0.3)
+            results = results_of(records, f"{method}/{key}={value}")
+            draw_collisions(panels[0], place + shift, results, COLORS[method])
+            for precision, marker in zip(measured(records, f"{method}/{key}={value}")[2], MARKERS.values()):
+                if precision is not None:
+                    panels[1].scatter([place + shift], [precision], s=22, marker=marker, color=COLORS[method], alpha=0.8)
+    panels[0].set_yscale("log")
+    panels[0].yaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
+    panels[1].set(xlabel=label, ylim=(0, 1.05), xlim=(-0.5, len(values) - 0.5))
+    panels[1].set_xticks(range(len(values)))
+    panels[1].set_xticklabels([f"{value:g}".replace("0.", ".") for value in values], fontsize=8)
+    for axes in panels:
+        axes.grid(axis="y", alpha=0.3)
 
 
 def draw_sweeps(records):
-    figure, panels = plt.subplots(1, len(SWEEPS), figsize=(10.5, 3.3), sharey=True, constrained_layout=True)
-    for axes, (key, _, values, label) in zip(panels, SWEEPS):
-        draw_sweep(axes, records, key, values, label)
-    panels[0].set_ylabel("collisions until the goal")
-    figure.suptitle(" ", fontsize=11)  # room for the legend
-    figure.legend(*panels[0].get_legend_handles_labels(), loc="upper center", ncol=2, frameon=False)
+    figure, panels = plt.subplots(
+        2, len(SWEEPS), figsize=(7.2, 4.4), sharex="col", sharey="row", constrained_layout=True)
+    for column, (key, _, values, label) in zip(panels.T, SWEEPS):
+        draw_sweep(column, records, key, values, label)
+    panels[0, 0].set_ylabel("collisions until the goal\n(crosses: given up)")
+    panels[1, 0].set_ylabel("mean precision\nof the maps")
+    for method, scene in SCENES.items():
+        name = f"{method}, {scene}".replace("_", " ")
+        panels[0, 0].scatter([], [], s=90, marker="_", color=COLORS[method], label=name)
+    for side, marker in MARKERS.items():
+        panels[0, 0].scatter([], [], s=22, marker=marker, color="#555555", label=side)
+    figure.suptitle(" ", fontsize=22)  # room for the legend
+    figure.legend(*panels[0, 0].get_legend_handles_labels(), loc="upper center", ncol=4, frameon=False, fontsize=8)
     return figure
 
 
