@@ -60,7 +60,10 @@ def set_up(axes, points, elevation, azimuth):
     for name, label in (("x", axes.set_xlabel), ("y", axes.set_ylabel), ("z", axes.set_zlabel)):
         label(f"{name} [m]", fontsize=8)
     axes.view_init(elev=elevation, azim=azimuth)
-    axes.tick_params(labelsize=7)
+    axes.tick_params(labelsize=6.5, pad=1)
     shares = (high - low) / (high - low).max()
     for axis, share in zip((axes.xaxis, axes.yaxis, axes.zaxis), shares):
         axis.set_major_locator(MaxNLocator(max(1, round(TICKS * share))))
+    rest = [tick for tick in axes.get_yticks() if low[1] <= tick <= high[1]][1:]
+    if rest:  # where y begins x ends, and their numbers would meet
+        axes.set_yticks(rest)
