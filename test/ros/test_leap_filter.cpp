@@ -55,10 +55,22 @@ TEST_F(LeapFilterTest, aSecondClockIsNotBelievedWhereItAlternates) {
   EXPECT_LT(through_.back(), 6.0);
 }
 
-TEST_F(LeapFilterTest, aSlowStreamLosesNothing) {
-  for (int i = 0; i < 6; ++i) take(2.0 * i);
-  expectThrough({0.0, 2.0, 4.0, 6.0, 8.0});
-  EXPECT_EQ(filter_.dropped(), 0U);
+TEST_F(LeapFilterTest, aSlowStreamWaitsOnceAndLosesNothing) {
+  take(0.0);
+  take(2.0);
+  expectThrough({0.0});
+  for (const double time : {4.1, 6.0, 9.0, 11.0}) take(time);
+  expectThrough({0.0, 2.0, 4.1, 6.0, 9.0, 11.0});
+  take(3600.0);
+  take(13.0);
+  expectThrough({0.0, 2.0, 4.1, 6.0, 9.0, 11.0, 13.0});
+  EXPECT_EQ(filter_.dropped(), 1U);
+}
+
+TEST_F(LeapFilterTest, afterALeapALeapIsOneAgain) {
+  for (const double time : {5.0, 80.0, 80.002, 9.0, 80.004}) take(time);
+  expectThrough({5.0, 80.0, 80.002, 80.004});
+  EXPECT_EQ(filter_.dropped(), 1U);
 }
 
 TEST_F(LeapFilterTest, oneThatNothingFollowsIsLetThroughAfterAWhile) {
