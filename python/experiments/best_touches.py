@@ -7,16 +7,6 @@ FARTHEST = 1.0  # distance up to which touches may count for the surface around 
 HALVINGS = 20
 
 
-def covered(surface, places, distance):
-    """Of each place, which points of the surface lie within a distance [m]."""
-    return np.array([np.linalg.norm(surface.points - place, axis=1) <= distance for place in places])
-
-
-def share(surface, points):
-    """Of the surface, by area, that some of its points stand for."""
-    return surface.areas[points].sum() / surface.areas.sum()
-
-
 def distance_for(surface, trials, wanted):
     """Distance within which the places of a trial cover this share of the surface, in the mean of the trials [m]."""
     low, high = 0.0, FARTHEST
@@ -29,10 +19,10 @@ def distance_for(surface, trials, wanted):
 
 def fewest(surface, places, distance, wanted):
     """How many places, each the best after those before it, cover this share of the surface; None where all do not."""
-    within = covered(surface, places, distance)
+    within = np.array([surface.near(place, distance) for place in places])
     found = np.zeros(len(surface.points), dtype=bool)
     for count in range(len(places) + 1):
-        if share(surface, found) >= wanted:
+        if surface.share(found) >= wanted:
             return count
         gains = (within & ~found) @ surface.areas
         found |= within[np.argmax(gains)]

@@ -20,7 +20,6 @@ SAC_COUNT, SAC_INTERACTIONS = 5, 20000
 QUICK_SAC_COUNT, QUICK_SAC_INTERACTIONS = 1, 1000
 QUICK_LIMIT = 40  # of collisions, of which the slower methods need hundreds: crosses in the figure
 PAPER = {"paper": 96, "cspace": 548, "sac": 3136}  # its means
-NAMES = {"smore_told": "smore, told\nthe object", "chs": "chs, told\nthe object"}
 SPREAD = 0.3  # of the points around their method's line
 RESAMPLED = 10000
 
@@ -69,6 +68,10 @@ def draw_method(axes, line, method, results):
         axes.plot(PAPER[method], line, "D", markersize=5, markerfacecolor="none", markeredgecolor="#c62828")
 
 
+def name_of(method):
+    return methods.label(method).replace(" the", "\nthe") if method in methods.METHODS else method
+
+
 def draw(by_method):
     """A line for each method; wide enough for one column of print."""
     figure, axes = plt.subplots(figsize=(3.5, 0.9 + 0.38 * len(by_method)), constrained_layout=True)
@@ -78,7 +81,7 @@ def draw(by_method):
     axes.xaxis.set_major_formatter(matplotlib.ticker.FormatStrFormatter("%g"))
     axes.set_ylim(len(by_method) - 0.5, -0.5)
     axes.set_yticks(range(len(by_method)))
-    axes.set_yticklabels([NAMES.get(method, method) for method in by_method], fontsize=8)
+    axes.set_yticklabels([name_of(method) for method in by_method], fontsize=8)
     axes.tick_params(axis="x", labelsize=8)
     axes.set_xlabel("collisions until the goal", fontsize=8)
     axes.grid(axis="x", which="major", alpha=0.3)

@@ -25,6 +25,12 @@ METHODS = {
 }
 
 
+def label(method, form="{}"):
+    """What tables and figures call a method of this list, its name in a form of its own."""
+    chosen = METHODS[method]
+    return form.format(chosen.name) + (", told the object" if chosen.told else "")
+
+
 # Of collisions, at which methods are given up: chs finds no further way, plans of blocked take ever longer.
 LIMITS = {"chs": 100, "blocked": 100}
 

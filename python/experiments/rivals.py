@@ -36,11 +36,6 @@ def trials(directory, quick):
     ]
 
 
-def name_of(method):
-    chosen = methods.METHODS[method]
-    return f"`{chosen.name}`, told the object" if chosen.told else f"`{chosen.name}`"
-
-
 def cell(results):
     """Mean collisions of the trials that reached the goal, and how many did where that is not all."""
     reached = [result["collisions"] for result in results if result["success"]]
@@ -54,7 +49,7 @@ def cell(results):
 
 def table(results):
     """A row for each scene, a column for each method: empty where it was not tried."""
-    lines = [f"| scene | {' | '.join(map(name_of, methods.METHODS))} |", "|---" * (len(methods.METHODS) + 1) + "|"]
+    lines = [f"| scene | {' | '.join(methods.label(method, '`{}`') for method in methods.METHODS)} |", "|---" * (len(methods.METHODS) + 1) + "|"]
     for scene, by_method in results.items():
         cells = [cell(by_method.get(method, [])) for method in methods.METHODS]
         lines.append(f"| {scene} | {' | '.join(cells)} |")
@@ -78,8 +73,7 @@ def draw(results):
             axes.scatter(counts[reached], place[reached], s=14, marker=MARKERS[method], color=color)
             axes.scatter(counts[~reached], place[~reached], s=16, marker="x", linewidths=1.0, color=color)
     for method in methods.METHODS:
-        label = name_of(method).replace("`", "")
-        axes.plot([], [], MARKERS[method], color=plot_results.COLORS[method], label=label)
+        axes.plot([], [], MARKERS[method], color=plot_results.COLORS[method], label=methods.label(method))
     for edge in range(1, len(results)):
         axes.axhline(edge - 0.5, color="#cccccc", linewidth=0.6)
     axes.set_xscale("log")

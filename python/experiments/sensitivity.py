@@ -64,15 +64,13 @@ def results_of(records, name):
     return [record["result"] for trial, record in records.items() if trial.startswith(f"{name}/")]
 
 
-def measured(records, name):
-    """Collisions, how many reached the goal, and precision of the object's and the world's map."""
-    results = results_of(records, name)
-    maps = [mean_or_none([result[side]["precision"] for result in results]) for side in ("object_map", "world_map")]
-    return [result["collisions"] for result in results], sum(result["success"] for result in results), maps
+def precisions(results):
+    """Of the object's and the world's map, in the mean."""
+    return [mean_or_none([result[f"{side}_map"]["precision"] for result in results]) for side in MARKERS]
 
 
 def draw_collisions(axes, place, results, color):
-    """Each trial a point, a cross where it was given up, a bar at the mean."""
+    """Each trial a point, a cross where it was given up, a bar at the mean of all."""
     counts = np.maximum([result["collisions"] for result in results], LEAST)
     reached = np.array([result["success"] for result in results])
     axes.scatter(np.full(reached.sum(), place), counts[reached], s=9, color=color, alpha=0.4)
@@ -86,7 +84,7 @@ def draw_sweep(panels, records, key, values, label):
         for place, value in enumerate(values):
             results = results_of(records, f"{method}/{key}={value}")
             draw_collisions(panels[0], place + shift, results, COLORS[method])
-            for precision, marker in zip(measured(records, f"{method}/{key}={value}")[2], MARKERS.values()):
+            for precision, marker in zip(precisions(results), MARKERS.values()):
                 if precision is not None:
                     panels[1].scatter([place + shift], [precision], s=22, marker=marker, color=COLORS[method], alpha=0.8)
     panels[0].set_yscale("log")
@@ -172,7 +170,9 @@ def table_of_sweeps(records):
     for method in SCENES:
         for key, _, values, _ in SWEEPS:
             for value in values:
-                counts, reached, maps = measured(records, f"{method}/{key}={value}")
+                results = results_of(records, f"{method}/{key}={value}")
+                counts = [result["collisions"] for result in results]
+                reached, maps = sum(result["success"] for result in results), precisions(results)
                 lines.append(
                     f"| {method} | {key} | {value} | {statistics.mean(counts):.1f} | {max(counts)} | "
                     f"{reached} of {len(counts)} | {number(maps[0], 2)} | {number(maps[1], 2)} |"

@@ -62,9 +62,17 @@ class Surface:
         """From each place to the nearest point of the surface [m]."""
         return np.array([np.linalg.norm(self.points - place, axis=1).min() for place in places])
 
+    def near(self, place, distance):
+        """Whether each point of the surface is within a distance [m] of a place."""
+        return np.linalg.norm(self.points - place, axis=1) <= distance
+
+    def share(self, chosen):
+        """Of the surface, by area, that the chosen of its points stand for."""
+        return self.areas[chosen].sum() / self.areas.sum()
+
     def share_near(self, places, distance):
-        """Share of the surface, by area, with one of the places within a distance [m]."""
+        """Share of the surface with one of the places within a distance [m]."""
         near = np.zeros(len(self.points), dtype=bool)
         for place in places:
-            near |= np.linalg.norm(self.points - place, axis=1) <= distance
-        return self.areas[near].sum() / self.areas.sum()
+            near |= self.near(place, distance)
+        return self.share(near)

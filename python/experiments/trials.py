@@ -44,7 +44,7 @@ class Trial:
         scene = ROOT / f"config/scenarios/{self.scenario}.yaml"
         files = [scene if scene.exists() else self.scenario, *self.options]
         contents = [hashlib.sha1(path.read_bytes()).hexdigest() for path in map(pathlib.Path, files) if path.is_file()]
-        told = json.dumps(dataclasses.asdict(self)).replace(str(directory), "DIR")
+        told = json.dumps(dataclasses.asdict(self), ensure_ascii=False).replace(str(directory), "DIR")
         return {**json.loads(told), "contents": contents}
 
     def evidence(self):
@@ -198,5 +198,5 @@ def run(trials, directory, jobs, scheduler=None):
         keep_finished(asked, store)  # interrupted, some may have ended unseen
     if problems:
         raise TrialError("\n".join(problems))
-    here = {trial.name: {"trial": dataclasses.asdict(trial)} for trial in trials}  # DIR may have been moved
-    return {name: {**store.finished[name], **trial} for name, trial in here.items()}
+    # With the paths that are now: the directory may have been moved.
+    return {trial.name: {**store.finished[trial.name], "trial": dataclasses.asdict(trial)} for trial in trials}

@@ -49,8 +49,8 @@ JointBelief::JointBelief(const JointBeliefParameters& parameters)
 void JointBelief::observe(const ContactObservation& observation) {
   if (!isFinite(observation.T_world_object)) return;
   (void)voxelAt(observation.T_world_object.translation(), parameters_.voxel_size);  // in range
-  const bool free = observation.state == ContactState::kFree;
-  free ? addFree(observation.T_world_object) : noteContact(observation);
+  if (observation.state == ContactState::kFree) return addFree(observation.T_world_object);
+  noteContact(observation);
 }
 
 void JointBelief::change() {

@@ -40,16 +40,23 @@ WrenchIntake::WrenchIntake(const ForceTorqueParameters& parameters,
       on_sample_(std::move(on_sample)),
       poses_(parameters.frames) {}
 
+template <typename Message>
+std::vector<Message> WrenchIntake::throughLeaps(const Message& message, const std::string& name,
+                                                LeapFilter<Message>* leaps) {
+  const std::uint64_t dropped = leaps->dropped();
+  std::vector<Message> through = leaps->take(message);
+  if (leaps->dropped() > dropped && stray_warning_.isDue())
+    ROS_WARN_STREAM("of '" << name
+                           << "' one dropped: its stamp is seconds from those before and "
+                              "after it; who stamps it, and by which clock?");
+  return through;
+}
+
 void WrenchIntake::onWrench(const geometry_msgs::WrenchStamped& message) {
   last_arrival_ = ros::WallTime::now();
   ++received_;
-  for (const geometry_msgs::WrenchStamped& believed : wrench_leaps_.take(message)) {
-    takeWrench(believed);
-  }
-  if (wrench_leaps_.dropped() > dropped_.stray) {
-    warnOfStray("a wrench");
-    dropped_.stray = wrench_leaps_.dropped();
-  }
+  for (const auto& through : throughLeaps(message, names::kWrench, &wrench_leaps_))
+    takeWrench(through);
 }
 
 void WrenchIntake::takeWrench(const geometry_msgs::WrenchStamped& message) {
@@ -76,12 +83,10 @@ void WrenchIntake::takeWrench(const geometry_msgs::WrenchStamped& message) {
 void WrenchIntake::onTransforms(const tf2_msgs::TFMessage& message) {
   tf2_msgs::TFMessage believed;
   for (const TransformStamped& transform : message.transforms) {
-    TransformFilter& leaps = transform_leaps_[transform.child_frame_id];
-    const std::uint64_t dropped = leaps.dropped();
-    for (TransformStamped& through : leaps.take(transform)) {
-      believed.transforms.push_back(std::move(through));
+    const std::string& frame = transform.child_frame_id;
+    for (const auto& through : throughLeaps(transform, frame, &transform_leaps_[frame])) {
+      believed.transforms.push_back(through);
     }
-    if (leaps.dropped() > dropped) warnOfStray("a transform of '" + transform.child_frame_id + "'");
   }
   takeTransforms(believed);
 }
@@ -93,12 +98,6 @@ void WrenchIntake::takeTransforms(const tf2_msgs::TFMessage& message) {
     last_pose_ = transform.header.stamp;
   }
   warnOfTransform(poses_.add(message, false), &transform_warning_);
-}
-
-void WrenchIntake::warnOfStray(const std::string& what) {
-  if (stray_warning_.isDue())
-    ROS_WARN_STREAM(what << " dropped: its stamp is seconds from those before and after it; who "
-                            "stamps it, and by which clock?");
 }
 
 void WrenchIntake::takeOverdue() {
@@ -160,6 +159,7 @@ WrenchReport WrenchIntake::report() const {
   report.told_period = parameters_.sensing.noise.sample_period;
   report.waiting = waited();
   report.dropped = dropped_;
+  report.dropped.stray = wrench_leaps_.dropped();
   return report;
 }
 

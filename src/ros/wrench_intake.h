@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "force_torque_parameters.h"
 #include "smore/contact/sample_rate.h"
@@ -47,12 +48,13 @@ class WrenchIntake {
   std::uint64_t saturated() const { return saturated_; }
 
  private:
-  using TransformFilter = LeapFilter<geometry_msgs::TransformStamped>;
-
+  /// What of a stream is to be handled now, with a warning that names it where one strayed.
+  template <typename Message>
+  std::vector<Message> throughLeaps(const Message& message, const std::string& name,
+                                    LeapFilter<Message>* leaps);
   void takeWrench(const geometry_msgs::WrenchStamped& message);
   void takeTransforms(const tf2_msgs::TFMessage& message);
   void takeOverdue();
-  void warnOfStray(const std::string& what);
   void restart();
   double waited() const;
   bool expired() const;
@@ -64,7 +66,8 @@ class WrenchIntake {
   std::function<void()> on_restart_;
   OnSample on_sample_;
   LeapFilter<geometry_msgs::WrenchStamped> wrench_leaps_;
-  std::map<std::string, TransformFilter> transform_leaps_;  ///< by the frame that is placed
+  /// By the frame that is placed.
+  std::map<std::string, LeapFilter<geometry_msgs::TransformStamped>> transform_leaps_;
   WristPoses poses_;
   std::deque<geometry_msgs::WrenchStamped> waiting_;  ///< for their poses, oldest first
   ros::WallTime last_arrival_ = ros::WallTime::now();

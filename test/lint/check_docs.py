@@ -15,7 +15,7 @@ COLUMNS = 120  # of prose: a row of a table, a picture or a command stands in on
 ANCHOR = re.compile(r"\]\((?!https?:)([^)#\s]*)#([^)\s]+)\)")
 LINK = re.compile(r"\]\((?!https?:|#|mailto:)([^)#\s]+)")
 NAMED = re.compile(r"\b(?:scripts|config|launch|python|docs|src|include|test|benchmark)/[\w./-]*\w")
-QUOTE = re.compile(r'\[([^\]]+)\]\([^)\s]*benchmarks\.md "([^"]+)"\)')
+QUOTE = re.compile(r'\[([^\]]+)\]\([^)\s]*benchmarks\.md\s+"([^"]+)"\)')
 EQUATION = re.compile(r"^    .*\(([A-Z]\d+)\)$", re.MULTILINE)
 CITED = re.compile(r"(docs/\w+\.md) \(([A-Z]\d+)\)")
 
@@ -64,9 +64,10 @@ def wide_lines(lines):
 
 
 def problems(path, benchmarks):
-    for number, width in wide_lines(path.read_text().splitlines()):
+    text = path.read_text()
+    for number, width in wide_lines(text.splitlines()):
         yield say(path, number, f"{width} columns; at most {COLUMNS}")
-    for number, line in enumerate(path.read_text().splitlines(), 1):
+    for number, line in enumerate(text.splitlines(), 1):
         for target in LINK.findall(line):
             if not (path.parent / target).exists():
                 yield say(path, number, f"the link {target} leads nowhere")
@@ -77,9 +78,11 @@ def problems(path, benchmarks):
         for name in NAMED.findall(LINK.sub("", line)):
             if not PLACEHOLDER.search(name) and not exists(ROOT / name):
                 yield say(path, number, f"{name} does not exist")
-        for quoted, key in QUOTE.findall(line):
-            if benchmarks.get(key) != quoted.strip("*"):
-                yield say(path, number, f"'{key}' is {benchmarks.get(key)} in docs/benchmarks.md, not {quoted}")
+    for quote in QUOTE.finditer(text):  # which may go on in the next line
+        quoted, key = quote.group(1), " ".join(quote.group(2).split())
+        if benchmarks.get(key) != quoted.strip("*"):
+            number = text.count("\n", 0, quote.start()) + 1
+            yield say(path, number, f"'{key}' is {benchmarks.get(key)} in docs/benchmarks.md, not {quoted}")
 
 
 def equation_problems():

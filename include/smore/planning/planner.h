@@ -15,8 +15,8 @@ struct TreeEdge {
 };
 
 struct Plan {
-  Path path;          ///< from the start to within the goal's tolerance
-  double risk = 0.0;  ///< that the motion touches, as far as the planner knows: a probability
+  Path path;                        ///< from the start to within the goal's tolerance
+  double risk = 0.0;                ///< probability that the motion touches, as far as is known
   std::vector<TreeEdge> tree = {};  ///< what the search explored, for display; see keepTree
 };
 

@@ -22,7 +22,7 @@ class LeapFilter {
  public:
   static constexpr double kLeap = 1.0;      ///< [s]; most streams come many times a second
   static constexpr double kSlow = 3.0;      ///< a leap is more than so many gaps of a slow stream
-  static constexpr double kPatience = 0.2;  ///< [s] of wall time: some periods of a slow stream
+  static constexpr double kPatience = 0.2;  ///< [s] of wall time: most streams go on sooner
 
   /// What is to be handled now, in order.
   std::vector<Message> take(const Message& message) {
