@@ -2,6 +2,7 @@
 #include "smore/experiment/scored_belief.h"
 
 #include "smore/planning/contact_risk.h"
+#include "smore/planning/fresh_cells.h"
 
 namespace smore {
 
@@ -22,18 +23,15 @@ std::vector<double> ScoredBelief::survival(const std::vector<Path>& legs) const 
   const ContactRisk risk(belief_->worlds());
   const FreeSpaceParameters& cell = risk.worlds().free.parameters();
   HypothesisMask touched = 0;
-  double fresh = 0.0;
+  FreshCells fresh(risk.worlds());
   std::vector<double> survival;
   for (const Path& leg : legs) {
     touched |= risk.touchingAlong(leg);
-    const Path poses = densify(leg, cell.position_cell, cell.angle_cell);
-    for (std::size_t i = survival.empty() ? 0 : 1; i < poses.size(); ++i) {
-      fresh += risk.freshAt(poses[i]);
-    }
+    for (const Pose& pose : densify(leg, cell.position_cell, cell.angle_cell)) fresh.enter(pose);
     const double part = static_cast<double>(survival.size() + 1) / static_cast<double>(legs.size());
     const double share =
         (kHypotheses * SampledWorlds::shareOf(touched) + 0.5 * part) / (kHypotheses + 1.0);
-    survival.push_back((1.0 - share) * risk.noSurpriseIn(fresh));
+    survival.push_back((1.0 - share) * risk.noSurpriseIn(fresh.count()));
   }
   return survival;
 }

@@ -92,8 +92,10 @@ std::vector<ForbiddenMatter> SurfaceExtents::forbiddenFor(MapSide side) const {
     for (Eigen::Isometry3f& T : poses) T = T.inverse();
   }
   const auto distance = static_cast<float>(feature_.conflictDistance());
-  // What joins touches lies between them; what forbids it may lie as far beside as balls touch.
-  const float margin = joinsTouches(side) ? distance : static_cast<float>(longestRadius(side));
+  // What joins touches lies between them, a patch as far beside them as it is large; what forbids
+  // either may lie as far beside that as balls touch.
+  const float margin =
+      distance + (joinsTouches(side) ? 0.0F : static_cast<float>(longestRadius(side)));
   const MaskedPoints& matter = on_object ? object_ : world_;
   const float cell = latticeCell(feature_);
   const Eigen::AlignedBox3f region = boxAround(matter.points(), margin);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "smore/planning/fresh_cells.h"
 #include "smore/planning/risk_motion.h"
 
 namespace smore {
@@ -58,30 +59,22 @@ HypothesisMask ContactRisk::touchingAlong(const Path& path) const {
   return mask;
 }
 
-double ContactRisk::freshAt(const Pose& T_world_object) const {
-  const Pose T_map_object = worlds_->frame.toMap(T_world_object);
-  if (worlds_->free.knows(T_map_object)) return 0.0;
-  return worlds_->sampled.unknownShareAt(T_map_object.cast<float>());
-}
-
 double ContactRisk::noSurpriseIn(double fresh) const {
   return known_cells_ / (known_cells_ + fresh);
 }
 
 double ContactRisk::ofMotion(const Path& path) const {
   const FreeSpaceParameters& cell = worlds_->free.parameters();
-  double fresh = 0.0;
-  for (const Pose& pose : densify(path, cell.position_cell, cell.angle_cell)) {
-    fresh += freshAt(pose);
-  }
+  FreshCells fresh(*worlds_);
+  for (const Pose& pose : densify(path, cell.position_cell, cell.angle_cell)) fresh.enter(pose);
   const double touched = predictedShare(along(path));
-  return 1.0 - (1.0 - touched) * noSurpriseIn(fresh);
+  return 1.0 - (1.0 - touched) * noSurpriseIn(fresh.count());
 }
 
 double ContactRisk::informationOf(const Path& path) const {
   const FreeSpaceParameters& cell = worlds_->free.parameters();
   HypothesisMask touched = 0;
-  double fresh = 0.0;
+  FreshCells fresh(*worlds_);
   double no_surprise = 1.0;
   double surprise = 0.0;
   double entropy = 0.0;
@@ -90,8 +83,8 @@ double ContactRisk::informationOf(const Path& path) const {
     touched |= first;
     entropy += entropyTerm(no_surprise * SampledWorlds::shareOf(first));
     const double before = no_surprise;
-    fresh += freshAt(pose);
-    no_surprise = noSurpriseIn(fresh);
+    fresh.enter(pose);
+    no_surprise = noSurpriseIn(fresh.count());
     surprise += SampledWorlds::shareOf(~touched) * (before - no_surprise);
   }
   entropy += entropyTerm(surprise) + surprise * std::log(std::max(1.0, patchesOfObject()));

@@ -68,7 +68,7 @@ int RiskMotions::steps(const RiskState& from, const RiskState& to) const {
   return std::max(1, static_cast<int>(std::ceil(distance(from, to) / check_)));
 }
 
-// The shorter turn between two angles in (-pi, pi] that differ by more than pi leads past pi.
+// As MotionSpace::allowsTurn.
 bool RiskMotions::turnsTooFar(const RiskState& from, const RiskState& to) const {
   return !full_turns_ && std::abs(turnAboutZ(from.rotation) - turnAboutZ(to.rotation)) > M_PI;
 }

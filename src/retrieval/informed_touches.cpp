@@ -39,7 +39,7 @@ Result<Path> InformedTouches::nextTouch(const Pose& from) {
     const int turn = random_.index(static_cast<int>(roadmap.reachable().size()));
     const Pose& begin = roadmap.reachable()[turn];
     const Pose end = drawEnd(begin, risk.worlds().held, &random_);
-    if (!space_.contains(end)) continue;
+    if (!space_.contains(end) || !space_.allowsTurn(begin, end)) continue;
     const double information = risk.informationOf({begin, end});
     if (information <= information_) continue;
     information_ = information;

@@ -29,18 +29,23 @@ RandomTouches::RandomTouches(const MotionSpace& space, std::uint64_t seed)
     : space_(space), random_(seed) {}
 
 Result<Path> RandomTouches::nextTouch(const Pose& from) {
-  Pose goal = Pose::Identity();
+  Pose goal = draw();
+  while (!space_.allowsTurn(from, goal)) goal = draw();
+  return Path{from, goal};
+}
+
+Pose RandomTouches::draw() {
   const Vec3 point = uniformIn(space_.workspace, &random_);
   if (space_.motion == Motion::kSpatial) {
+    Pose goal = Pose::Identity();
     goal.linear() = uniformRotation(&random_).toRotationMatrix();
     goal.translation() = point;
-  } else {
-    Vec3 in_plane = space_.T_world_plane.inverse() * point;
-    in_plane.z() = 0.0;
-    std::uniform_real_distribution<double> turn(-M_PI, M_PI);
-    goal = space_.T_world_plane * makePose(in_plane, Vec3(0.0, 0.0, turn(random_)));
+    return goal;
   }
-  return Path{from, goal};
+  Vec3 in_plane = space_.T_world_plane.inverse() * point;
+  in_plane.z() = 0.0;
+  std::uniform_real_distribution<double> turn(-M_PI, M_PI);
+  return space_.T_world_plane * makePose(in_plane, Vec3(0.0, 0.0, turn(random_)));
 }
 
 }  // namespace smore

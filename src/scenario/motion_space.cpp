@@ -13,7 +13,16 @@ std::string describe(const Vec3& point) {
   return text.str();
 }
 
+double yawOf(const Pose& pose) { return std::atan2(pose.linear()(1, 0), pose.linear()(0, 0)); }
+
 }  // namespace
+
+// The shorter turn between two angles in (-pi, pi] that differ by more than pi leads past pi.
+bool MotionSpace::allowsTurn(const Pose& T_world_from, const Pose& T_world_to) const {
+  if (motion == Motion::kSpatial || full_turns) return true;
+  const Pose T_plane_world = T_world_plane.inverse();
+  return std::abs(yawOf(T_plane_world * T_world_from) - yawOf(T_plane_world * T_world_to)) <= M_PI;
+}
 
 bool MotionSpace::contains(const Pose& T_world_object) const {
   if (!workspace.contains(T_world_object.translation())) return false;

@@ -70,5 +70,33 @@ TEST(SurfaceExtents, HaveSizesOfAllOrdersOfMagnitudeAlike) {
   }
 }
 
+// Whether the surface of one touch goes on to where the object's ball was free beside the farthest
+// point of the largest patch.
+TEST(SurfaceExtents, EndAtFreeSpaceBesideTheLargestPatch) {
+  const JointBeliefParameters lengths = atADecimetre();
+  const double distance = lengths.feature.conflictDistance();
+  const Vec3 on_object(0.0, 0.1, 0.0);
+  std::vector<ContactHypotheses> contacts = {contactAt(on_object, Vec3::Zero(), 1)};
+  contacts[0].object_normal.set(0, Vec3::UnitX());
+  contacts[0].world_normal.set(0, Vec3::UnitY());
+  const std::vector<Explanation> explanations(kHypotheses, Explanation(1, 0));
+  const Vec3 beside(lengths.extent.world_longest + 0.2 * distance, 0.0, 0.0);
+  const Pose pose = FreeCells(lengths.free_space).centerOf(makePose(beside - on_object));
+  const Vec3 free = pose * on_object;
+  const auto nearest = [&](const FreeSpaceEvidence& evidence) {
+    const SurfaceExtents surfaces({contacts, evidence, explanations, ~HypothesisMask{0}, {}},
+                                  lengths.feature, lengths.extent, true, 1);
+    double least = lengths.extent.world_longest;
+    for (const MaskedPoint& ball : surfaces.world()) {
+      least = std::min(least, (ball.point.cast<double>() - free).norm());
+    }
+    return least;
+  };
+  FreeSpaceEvidence evidence(lengths.free_space, distance);
+  EXPECT_LT(nearest(evidence), 0.9 * distance);
+  evidence.addPose(pose);
+  EXPECT_GE(nearest(evidence), 0.9 * distance);
+}
+
 }  // namespace
 }  // namespace smore

@@ -155,6 +155,9 @@ TEST(ContactRisk, OfAMotionFallsWithWhatIsKnownToBeFree) {
   EXPECT_LT(risk.ofMotion(motion(0, kCells - 1)), 0.01);
   EXPECT_NEAR(risk.ofMotion(motion(0, 2 * kCells - 1)), 0.5, 0.02);
   EXPECT_NEAR(risk.ofMotion(motion(0, 4 * kCells - 1)), 0.75, 0.02);
+  Path there_and_back = motion(0, 2 * kCells - 1);
+  there_and_back.push_back(there_and_back.front());
+  EXPECT_DOUBLE_EQ(risk.ofMotion(there_and_back), risk.ofMotion(motion(0, 2 * kCells - 1)));
 }
 
 // Where all is known beforehand nothing can surprise: before anything has moved the risk is that of

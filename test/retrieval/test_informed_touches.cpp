@@ -57,6 +57,22 @@ TEST(InformedTouches, tellMoreThanTheyMust) {
   EXPECT_GE(touches.information(), InformedTouchParameters{}.least_information);
 }
 
+TEST(InformedTouches, keepWithinTheHalfTurnOfAnArm) {
+  const JointBelief belief = touchedOnce();
+  MotionSpace arm = space();
+  arm.full_turns = false;
+  arm.T_world_plane = makePose(Vec3::Zero(), Vec3(0, 0, -3.0));
+  InformedTouches touches(belief, arm, {}, 1);
+  int turning = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Path path = *touches.nextTouch(Pose::Identity());
+    ASSERT_GE(path.size(), 2u);
+    EXPECT_TRUE(arm.allowsTurn(path[path.size() - 2], path.back()));
+    if (!path.back().linear().isApprox(path[path.size() - 2].linear(), 0.2)) ++turning;
+  }
+  EXPECT_GT(turning, 0);
+}
+
 TEST(InformedTouches, endWhereNothingTellsEnough) {
   const JointBelief belief = touchedOnce();
   InformedTouchParameters parameters;

@@ -41,6 +41,22 @@ TEST(RandomTouches, stayInTheMotionSpaceAndRepeatForASeed) {
   }
 }
 
+TEST(RandomTouches, keepWithinTheHalfTurnOfAnArm) {
+  MotionSpace arm = space(Motion::kPlanar);
+  arm.full_turns = false;
+  const Pose turned = arm.T_world_plane * makePose(Vec3::Zero(), Vec3(0, 0, 3.0));
+  const auto leaving = [&](const MotionSpace& asked) {
+    RandomTouches touches(asked, 3);
+    int count = 0;
+    for (int i = 0; i < 200; ++i) {
+      if (!arm.allowsTurn(turned, touches.nextTouch(turned)->back())) ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(leaving(arm), 0);
+  EXPECT_GT(leaving(space(Motion::kPlanar)), 50);
+}
+
 TEST(Reconstruct, countsTouchesUntilTheBudget) {
   ScriptedRobot robot;
   robot.script = {{}, contact(), {}, contact(), contact()};

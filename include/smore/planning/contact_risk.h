@@ -38,13 +38,8 @@ class ContactRisk {
   /// surface.
   double informationOf(const Path& path) const;
 
-  /// What a pose counts of a cell that is entered for the first time: nothing where one in its cell
-  /// was free, else the share of the places around it at which something may touch that is not
-  /// known beforehand.
-  double freshAt(const Pose& T_world_object) const;
-
   /// Probability that nothing has ended a motion but matter that is known, once it has entered
-  /// `fresh` cells of poses for the first time.
+  /// `fresh` cells of poses for the first time (FreshCells).
   double noSurpriseIn(double fresh) const;
 
   const Worlds& worlds() const { return *worlds_; }

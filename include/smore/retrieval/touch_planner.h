@@ -28,6 +28,8 @@ class RandomTouches : public TouchPlanner {
   Result<Path> nextTouch(const Pose& from) override;
 
  private:
+  Pose draw();
+
   MotionSpace space_;
   std::mt19937_64 random_;
 };

@@ -25,6 +25,10 @@ struct MotionSpace {
   /// 1e-6 m and rad).
   bool contains(const Pose& T_world_object) const;
 
+  /// Whether the shorter turn between two poses of the plane keeps within that half turn, so that a
+  /// straight motion may join them.
+  bool allowsTurn(const Pose& T_world_from, const Pose& T_world_to) const;
+
   /// Why it does not contain the pose, in words for the user; empty where it does.
   std::string whyOutside(const Pose& T_world_object) const;
 };
