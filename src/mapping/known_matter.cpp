@@ -10,6 +10,7 @@
 #include "smore/mapping/counter_random.h"
 #include "smore/mapping/mask_grid.h"
 #include "smore/mapping/octomap_export.h"
+#include "smore/mapping/plane_in_grid.h"
 #include "smore/mapping/point_index.h"
 
 namespace smore {
@@ -49,22 +50,18 @@ KnownMatter::KnownMatter(MapSide side, const Prior& prior, const Pose& T_frame_g
             [](const auto& a, const auto& b) { return a.key < b.key; });
   id_ = mixBits(static_cast<std::uint64_t>(side),
                 mixBits(bitsOf(prior.confidence), bitsOf(known_.voxelSize())));
+  const PlaneInGrid plane(T_frame_grid);
   std::vector<VoxelKey> matter;
   for (const VoxelGrid::Voxel& voxel : voxels) {
     id_ = mixBits(id_, bitsOf(voxel.key) << 1 | (isMatter(voxel) ? 1 : 0));
     if (!isMatter(voxel)) {
       knows_free_space_ = true;
-    } else if (isInPlane(T_frame_grid_ * voxelCenter(voxel.key, known_.voxelSize()))) {
+    } else if (!planar_ ||
+               plane.passes(voxelCenter(voxel.key, known_.voxelSize()), known_.voxelSize())) {
       matter.push_back(voxel.key);
     }
   }
   addSurface(matter);
-}
-
-// Where the plane passes between two layers of voxels, both are in it.
-bool KnownMatter::isInPlane(const Vec3& place) const {
-  constexpr double kHalfLayer = 0.5 + 1e-6;
-  return !planar_ || std::abs(place.z()) <= kHalfLayer * known_.voxelSize();
 }
 
 void KnownMatter::addSurface(const std::vector<VoxelKey>& matter) {

@@ -12,19 +12,13 @@
 namespace smore {
 namespace {
 
-constexpr std::int32_t kKeyOrigin =
-    32768;  // key of the voxel [0, resolution) in a tree of depth 16
+// OctoMap's key of the voxel whose lower corner is the origin.
+constexpr std::int32_t kKeyOrigin = 32768;
 
 octomap::OcTreeKey treeKey(const VoxelKey& key) {
   return {static_cast<octomap::key_type>(key.x + kKeyOrigin),
           static_cast<octomap::key_type>(key.y + kKeyOrigin),
           static_cast<octomap::key_type>(key.z + kKeyOrigin)};
-}
-
-VoxelKey gridKey(const octomap::OcTreeKey& key) {
-  return {static_cast<std::int16_t>(key[0] - kKeyOrigin),
-          static_cast<std::int16_t>(key[1] - kKeyOrigin),
-          static_cast<std::int16_t>(key[2] - kKeyOrigin)};
 }
 
 // OctoMap's default clamping (0.12 to 0.97) would alter most values of these maps.
@@ -47,6 +41,12 @@ std::unique_ptr<octomap::OcTree> makeTree(const VoxelGrid& grid, Keep keep) {
 }
 
 }  // namespace
+
+VoxelKey gridKey(const octomap::OcTreeKey& key) {
+  return {static_cast<std::int16_t>(key[0] - kKeyOrigin),
+          static_cast<std::int16_t>(key[1] - kKeyOrigin),
+          static_cast<std::int16_t>(key[2] - kKeyOrigin)};
+}
 
 std::unique_ptr<octomap::OcTree> toOctree(const VoxelGrid& grid) {
   return makeTree(grid, [](const VoxelGrid::Voxel&) { return true; });

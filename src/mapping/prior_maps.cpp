@@ -15,6 +15,7 @@
 #include "smore/common/result.h"
 #include "smore/mapping/map_frame.h"
 #include "smore/mapping/octomap_export.h"
+#include "smore/mapping/plane_in_grid.h"
 #include "smore/scenario/mesh.h"
 #include "smore/scenario/point_cloud.h"
 #include "smore/scenario/solid_distance.h"
@@ -130,7 +131,7 @@ class PriorMaker {
       : scene_(scene),
         of_object_(of_object),
         planar_(scene.motion == Motion::kPlanar),
-        T_plane_map_(of_object || !planar_ ? Pose::Identity() : scene.start.inverse()),
+        plane_(of_object ? Pose::Identity() : scene.start.inverse()),
         voxel_size_(scene.voxel_size / (planar_ ? kFinerInPlane : kFinerInSpace)) {}
 
   Prior make(const PriorSource& entry) const {
@@ -204,14 +205,9 @@ class PriorMaker {
     return ofPoints(points, voxel_size_);
   }
 
-  bool isInPlane(const Vec3& point) const {
-    constexpr double kHalfLayer = 0.5 + 1e-6;
-    return !planar_ || std::abs((T_plane_map_ * point).z()) <= kHalfLayer * voxel_size_;
-  }
-
   double voxelSizeFor(const Bounds& box) const {
     const Vec3 counts = ((box.max - box.min) / voxel_size_).cwiseMax(1.0);
-    const double count = planar_ ? counts.x() * counts.y() : counts.prod();
+    const double count = planar_ ? plane_.mostPassed(counts) : counts.prod();
     return voxel_size_ * std::max(1.0, std::pow(count / kMostVoxels, planar_ ? 0.5 : 1.0 / 3.0));
   }
 
@@ -219,26 +215,22 @@ class PriorMaker {
     if ((box.min.array() > box.max.array()).any()) return VoxelGrid(voxel_size_);
     VoxelGrid grid(voxelSizeFor(box));
     const double size = grid.voxelSize();
+    const auto ask = [&](const VoxelKey& key) {
+      const Vec3 point = voxelCenter(key, size) - offset;
+      if (!box.contains(point)) return;
+      const std::optional<bool> matter = knowledge(point);
+      if (matter) grid.set(key, *matter ? 1.0F : 0.0F);
+    };
     const VoxelKey first = voxelAt(box.min + offset, size);
     const VoxelKey last = voxelAt(box.max + offset, size);
-    VoxelKey key;
-    for (key.z = first.z; key.z <= last.z; ++key.z) {
-      for (key.y = first.y; key.y <= last.y; ++key.y) {
-        for (key.x = first.x; key.x <= last.x; ++key.x) {
-          const Vec3 point = voxelCenter(key, size);
-          if (!isInPlane(point) || !box.contains(point - offset)) continue;
-          const std::optional<bool> matter = knowledge(point - offset);
-          if (matter) grid.set(key, *matter ? 1.0F : 0.0F);
-        }
-      }
-    }
+    planar_ ? plane_.visit(first, last, size, ask) : visitVoxels(first, last, ask);
     return grid;
   }
 
   const Scenario& scene_;
   bool of_object_;
   bool planar_;
-  Pose T_plane_map_;
+  PlaneInGrid plane_;  ///< of planar motion
   double voxel_size_;
 };
 

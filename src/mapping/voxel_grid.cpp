@@ -47,6 +47,17 @@ Vec3 voxelCenter(const VoxelKey& key, double voxel_size) {
   return voxel_size * Vec3(key.x + 0.5, key.y + 0.5, key.z + 0.5);
 }
 
+void visitVoxels(const VoxelKey& first, const VoxelKey& last, const VoxelVisitor& visitor) {
+  for (int z = first.z; z <= last.z; ++z) {
+    for (int y = first.y; y <= last.y; ++y) {
+      for (int x = first.x; x <= last.x; ++x) {
+        visitor({static_cast<std::int16_t>(x), static_cast<std::int16_t>(y),
+                 static_cast<std::int16_t>(z)});
+      }
+    }
+  }
+}
+
 std::optional<VoxelKey> neighbourOf(const VoxelKey& key, int dx, int dy, int dz) {
   constexpr int kMin = std::numeric_limits<std::int16_t>::min();
   constexpr int kMax = std::numeric_limits<std::int16_t>::max();

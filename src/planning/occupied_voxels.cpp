@@ -8,15 +8,13 @@
 namespace smore {
 namespace {
 
-constexpr int kKeyOrigin = 32768;  // OctoMap's key of the voxel whose lower corner is the origin
-
 /// The cube of finest voxels that one leaf stands for, from its lowest corner.
-void appendLeaf(const octomap::OcTreeKey& corner, int width, std::vector<VoxelKey>* keys) {
-  const auto index = [](int key) { return static_cast<std::int16_t>(key - kKeyOrigin); };
+void appendLeaf(const VoxelKey& corner, int width, std::vector<VoxelKey>* keys) {
+  const auto index = [](int key) { return static_cast<std::int16_t>(key); };
   for (int x = 0; x < width; ++x) {
     for (int y = 0; y < width; ++y) {
       for (int z = 0; z < width; ++z) {
-        keys->push_back({index(corner[0] + x), index(corner[1] + y), index(corner[2] + z)});
+        keys->push_back({index(corner.x + x), index(corner.y + y), index(corner.z + z)});
       }
     }
   }
@@ -32,7 +30,7 @@ OccupiedVoxels occupiedVoxels(const octomap::OcTree& tree) {
     static_assert(kOccupied == 0.5, "the comparison of log odds with 0 is for P >= 0.5");
     if (leaf->getLogOdds() < 0.0F) continue;
     const int width = 1 << (tree.getTreeDepth() - leaf.getDepth());
-    appendLeaf(leaf.getIndexKey(), width, &voxels.keys);
+    appendLeaf(gridKey(leaf.getIndexKey()), width, &voxels.keys);
   }
   return voxels;
 }

@@ -56,6 +56,39 @@ TEST(PriorMaps, TheTruthSaysEverythingInThePlane) {
   EXPECT_EQ(priors.world.at(0).confidence, 0.999);
 }
 
+// Also where it stands upright, and at no axis of the map's: what lies in the plane is known
+// everywhere, at the same distances, and nothing far from it.
+TEST(PriorMaps, TheTruthSaysEverythingInAPlaneAtAnyAngle) {
+  for (const Vec3& rpy : {Vec3(M_PI / 2, 0, 0), Vec3(0, M_PI / 2, 0.3), Vec3(0.5, 0.6, 0.7)}) {
+    Scenario scene = sceneWith({{}, {truth()}});
+    scene.start = makePose(Vec3(0.1, 0.05, -0.1), rpy);
+    scene.environment = {{SphereShape{0.2}, scene.start * makePose(Vec3(-0.3, 0.1, 0.0))}};
+    scene.workspace = {Vec3(-1, -1, -1), Vec3(1, 1, 1)};
+    const Prior prior = makePriors(scene).world.at(0);
+    EXPECT_DOUBLE_EQ(prior.known.voxelSize(), 0.01);
+    for (double x = -0.6; x <= 0.4; x += 0.0137) {
+      for (double y = -0.4; y <= 0.4; y += 0.0171) {
+        const Vec3 place = scene.start * Vec3(x, y, 0.0);
+        const double depth = 0.2 - std::hypot(x + 0.3, y - 0.1);
+        const Said said = saidAt(prior, place);
+        ASSERT_NE(said, Said::kNothing) << x << " " << y << ", turned by " << rpy.transpose();
+        if (std::abs(depth) > 0.02) {
+          EXPECT_EQ(said == Said::kMatter, depth > 0.0) << x << " " << y;
+        }
+        EXPECT_EQ(saidAt(prior, scene.start * Vec3(x, y, 0.04)), Said::kNothing);
+      }
+    }
+  }
+}
+
+// What of a box lies in the plane is asked as finely as its own area allows.
+TEST(PriorMaps, AWideFlatBoxIsAsFineInAnUprightPlane) {
+  Scenario scene = sceneWith({{}, {truth()}});
+  scene.start = makePose(Vec3::Zero(), Vec3(M_PI / 2, 0, 0));
+  scene.workspace = {Vec3(-20, -20, -0.1), Vec3(20, 20, 0.1)};
+  EXPECT_DOUBLE_EQ(makePriors(scene).world.at(0).known.voxelSize(), 0.01);
+}
+
 TEST(PriorMaps, ABoxIsCutOutAndThenMoved) {
   PriorSource half;
   half.box = Bounds{{-0.4, 0.1, -1.0}, {0.0, 1.0, 1.0}};

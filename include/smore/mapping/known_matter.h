@@ -46,7 +46,6 @@ class KnownMatter {
   std::vector<Eigen::Vector3f> balls(float radius) const;
 
  private:
-  bool isInPlane(const Vec3& place) const;
   void addSurface(const std::vector<VoxelKey>& matter);
   bool meetsFreeSpace(const VoxelKey& key) const;
   Vec3 inwardOf(const VoxelKey& key) const;

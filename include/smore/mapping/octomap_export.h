@@ -8,7 +8,8 @@
 
 namespace octomap {
 class OcTree;
-}
+class OcTreeKey;
+}  // namespace octomap
 
 namespace smore {
 
@@ -23,6 +24,9 @@ std::unique_ptr<octomap::OcTree> toOctree(const VoxelGrid& grid);
 /// Octree of the voxels with P >= kOccupied only, for planning: a collision library that treats a
 /// value of exactly 0.5 as free (FCL 0.7 does) still sees them.
 std::unique_ptr<octomap::OcTree> toOccupiedOctree(const VoxelGrid& grid);
+
+/// The voxel of a key at the finest depth of a tree of depth 16.
+VoxelKey gridKey(const octomap::OcTreeKey& key);
 
 /// The grid of an octree's leaves; pruned leaves are expanded.
 VoxelGrid fromOctree(const octomap::OcTree& tree);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -33,6 +34,11 @@ Vec3 voxelCenter(const VoxelKey& key, double voxel_size);
 
 /// The key so far from `key` on each axis; nothing beyond the range of keys.
 std::optional<VoxelKey> neighbourOf(const VoxelKey& key, int dx, int dy, int dz);
+
+using VoxelVisitor = std::function<void(const VoxelKey& key)>;
+
+/// Visits the voxels of the box between two of them, both included, row by row along x.
+void visitVoxels(const VoxelKey& first, const VoxelKey& last, const VoxelVisitor& visitor);
 
 /// Sparse grid of occupancy probabilities. A voxel that is not stored is unknown.
 ///
