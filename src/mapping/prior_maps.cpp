@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "smore/common/result.h"
 #include "smore/mapping/map_frame.h"
 #include "smore/mapping/octomap_export.h"
+#include "smore/mapping/octree_file.h"
 #include "smore/mapping/plane_in_grid.h"
 #include "smore/scenario/mesh.h"
 #include "smore/scenario/point_cloud.h"
@@ -30,13 +30,14 @@ constexpr double kFinerInSpace = 2.0;
 // Where a box holds more voxels they are made larger: some hundred megabytes.
 constexpr double kMostVoxels = 4e6;
 
-/// Whether there is matter at a point of the map's frame, in front of any box and offset; nothing
-/// where that is not known.
-using Knowledge = std::function<std::optional<bool>(const Vec3& point)>;
+/// Whether there is matter in the voxel of this size around a point of the map's frame, in front of
+/// any box and offset; nothing where that is not known.
+using Knowledge = std::function<std::optional<bool>(const Vec3& point, double voxel_size)>;
 
 struct Source {
-  Knowledge knowledge;
-  Bounds extent;  ///< beyond it nothing is known
+  Knowledge knowledge;            ///< null: nothing is known but where there is matter
+  Bounds extent;                  ///< beyond it nothing is known
+  std::vector<Vec3> matter = {};  ///< points in matter that centres of voxels may miss
 };
 
 Bounds widened(Bounds bounds, double margin) {
@@ -54,74 +55,63 @@ Bounds boundsOf(const std::vector<Vec3>& points) {
   return bounds;
 }
 
+// Whether what lies within half a voxel of a centre is too thin to hold any centre behind that one,
+// along the axis or the diagonal that leads into it: a sheet between two layers of voxels.
+bool isMissed(const SolidDistance& distance, const Vec3& center, double size) {
+  constexpr double kStep = 0.1;       // of the gradient, in voxels
+  constexpr double kSlanted = 0.15;   // components below count as 0
+  constexpr double kRounding = 0.15;  // of a centre beside a solid's edge, in voxels
+  Vec3 outward;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 step = kStep * size * Vec3::Unit(i);
+    outward[i] = distance(center + step) - distance(center - step);
+  }
+  outward.normalize();
+  int steepest = 0;
+  outward.cwiseAbs().maxCoeff(&steepest);
+  Vec3 along = Vec3::Zero();
+  Vec3 across = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const double inward = outward[i] > 0.0 ? -size : size;
+    if (i == steepest) along[i] = inward;
+    if (std::abs(outward[i]) > kSlanted) across[i] = inward;
+  }
+  return distance(center + along) > kRounding * size &&
+         distance(center + across) > kRounding * size;
+}
+
 Source ofSolids(const std::vector<Shape>& shapes, const Bounds& extent) {
   auto distance = std::make_shared<SolidDistance>(shapes);
-  return {[distance](const Vec3& point) { return (*distance)(point) <= 0.0; }, extent};
-}
-
-// Only surfaces were seen: where no point is, nothing is known.
-Source ofPoints(const std::vector<Vec3>& points, double voxel_size) {
-  VoxelGrid grid(voxel_size);
-  for (const Vec3& point : points) grid.set(voxelAt(point, voxel_size), 1.0F);
-  const Knowledge knowledge = [grid](const Vec3& point) -> std::optional<bool> {
-    if (!grid.probability(voxelAt(point, grid.voxelSize()))) return std::nullopt;
-    return true;
-  };
-  return {knowledge, widened(boundsOf(points), 1.5 * voxel_size)};
-}
-
-// How many nodes the header of a file says that follow; a file that was cut has fewer.
-std::size_t nodesInHeader(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string word;
-  while (stream >> word && word != "data") {
-    std::size_t count = 0;
-    if (word == "size" && stream >> count) return count;
-  }
-  return 0;
+  return {[distance](const Vec3& point, double size) {
+            const double outside = (*distance)(point);
+            return outside <= 0.0 || (outside <= 0.5 * size && isMissed(*distance, point, size));
+          },
+          extent};
 }
 
 using Octree = std::shared_ptr<const octomap::OcTree>;
 
-// Asked voxel by voxel: pruned leaves may span a whole building.
-Source ofOctree(const Octree& tree, const Pose& pose) {
+// Asked voxel by voxel, as pruned leaves may span a whole building, and leaf by leaf where these
+// are so small that the centre of a voxel tells nothing of them.
+Source ofOctree(const Octree& tree, const Pose& pose, double voxel_size) {
   Bounds box;
   tree->getMetricMin(box.min.x(), box.min.y(), box.min.z());
   tree->getMetricMax(box.max.x(), box.max.y(), box.max.z());
   std::vector<Vec3> corners(kCorners);
   for (int i = 0; i < kCorners; ++i) corners[i] = pose * box.corner(i);
   const Pose T_tree_map = pose.inverse();
-  const Knowledge knowledge = [tree, T_tree_map](const Vec3& point) -> std::optional<bool> {
+  const Knowledge knowledge = [tree, T_tree_map](const Vec3& point, double) -> std::optional<bool> {
     const Vec3 in_tree = T_tree_map * point;
     const octomap::OcTreeNode* node = tree->search(in_tree.x(), in_tree.y(), in_tree.z());
     if (node == nullptr) return std::nullopt;
     return node->getOccupancy() >= kOccupied;
   };
-  return {knowledge, widened(boundsOf(corners), 0.5 * tree->getResolution())};
-}
-
-Octree readOctree(const std::string& file) {
-  std::unique_ptr<octomap::AbstractOcTree> any;
-  std::unique_ptr<octomap::OcTree> tree;
-  if (file.substr(file.find_last_of('.')) == ".bt") {
-    tree = std::make_unique<octomap::OcTree>(0.1);
-    if (!tree->readBinary(file)) tree = nullptr;
-  } else {
-    any.reset(octomap::AbstractOcTree::read(file));
-    if (dynamic_cast<octomap::OcTree*>(any.get()) != nullptr) {
-      tree.reset(dynamic_cast<octomap::OcTree*>(any.release()));
-    }
+  Source source{knowledge, widened(boundsOf(corners), 0.5 * tree->getResolution())};
+  for (auto leaf = tree->begin_leafs(); leaf != tree->end_leafs(); ++leaf) {
+    if (leaf->getOccupancy() < kOccupied || leaf.getSize() >= 2.0 * voxel_size) continue;
+    source.matter.push_back(pose * Vec3(leaf.getX(), leaf.getY(), leaf.getZ()));
   }
-  if (!tree || tree->size() == 0) {
-    throw InputError(file + ": not an OctoMap of occupancies, or an empty one; write it with " +
-                     "octomap_saver or octovis");
-  }
-  const std::size_t nodes = nodesInHeader(file);
-  if (tree->size() < nodes) {
-    throw InputError(file + ": ends after " + std::to_string(tree->size()) + " of " +
-                     std::to_string(nodes) + " nodes; the file was cut");
-  }
-  return tree;
+  return source;
 }
 
 /// Makes the pieces of one map of a scene.
@@ -152,7 +142,7 @@ class PriorMaker {
       box.min = box.min.cwiseMax(entry.box->min);
       box.max = box.max.cwiseMin(entry.box->max);
     }
-    Prior prior{voxelize(source.knowledge, box, entry.offset), entry.confidence};
+    Prior prior{voxelize(source, box, entry.offset), entry.confidence};
     if (prior.known.empty()) {
       throw InputError("scenario " + scene_.name + ": prior: " + nameOf(entry) + " of the " +
                        (of_object_ ? "object" : "world") + " says nothing" +
@@ -172,7 +162,7 @@ class PriorMaker {
       case PriorFormat::kTruth:
         return truth();
       case PriorFormat::kOctree:
-        return ofOctree(readOctree(entry.file), entry.pose);
+        return ofOctree(readOctree(entry.file), entry.pose, voxel_size_);
       case PriorFormat::kCloud:
         return cloud(entry);
       case PriorFormat::kMesh:
@@ -195,14 +185,16 @@ class PriorMaker {
 
   // One voxel around the solid is known to be free, so that its surface is known for one.
   Source mesh(const PriorSource& entry) const {
-    const std::vector<Shape> shapes = {{loadMesh(entry.file, entry.scale), entry.pose}};
+    const double largest = of_object_ ? kLargestHeld : kLargestScene;
+    const std::vector<Shape> shapes = {{loadMesh(entry.file, entry.scale, largest), entry.pose}};
     return ofSolids(shapes, widened(smore::boundsOf(shapes), 1.5 * voxel_size_));
   }
 
   Source cloud(const PriorSource& entry) const {
     std::vector<Vec3> points = entry.file.empty() ? entry.points : loadPointCloud(entry.file);
-    for (Vec3& point : points) point = entry.pose * point;
-    return ofPoints(points, voxel_size_);
+    for (Vec3& point : points) point = entry.pose * entry.scale.cwiseProduct(point);
+    const Bounds extent = boundsOf(points);
+    return {nullptr, extent, std::move(points)};
   }
 
   double voxelSizeFor(const Bounds& box) const {
@@ -211,20 +203,34 @@ class PriorMaker {
     return voxel_size_ * std::max(1.0, std::pow(count / kMostVoxels, planar_ ? 0.5 : 1.0 / 3.0));
   }
 
-  VoxelGrid voxelize(const Knowledge& knowledge, const Bounds& box, const Vec3& offset) const {
+  VoxelGrid voxelize(const Source& source, const Bounds& box, const Vec3& offset) const {
     if ((box.min.array() > box.max.array()).any()) return VoxelGrid(voxel_size_);
-    VoxelGrid grid(voxelSizeFor(box));
-    const double size = grid.voxelSize();
-    const auto ask = [&](const VoxelKey& key) {
+    VoxelGrid grid(source.knowledge ? voxelSizeFor(box) : voxel_size_);
+    if (source.knowledge) ask(source.knowledge, box, offset, &grid);
+    for (const Vec3& point : source.matter) {
+      if (box.contains(point)) setMatter(point + offset, &grid);
+    }
+    return grid;
+  }
+
+  void ask(const Knowledge& knowledge, const Bounds& box, const Vec3& offset,
+           VoxelGrid* grid) const {
+    const double size = grid->voxelSize();
+    const auto set = [&](const VoxelKey& key) {
       const Vec3 point = voxelCenter(key, size) - offset;
       if (!box.contains(point)) return;
-      const std::optional<bool> matter = knowledge(point);
-      if (matter) grid.set(key, *matter ? 1.0F : 0.0F);
+      const std::optional<bool> matter = knowledge(point, size);
+      if (matter) grid->set(key, *matter ? 1.0F : 0.0F);
     };
     const VoxelKey first = voxelAt(box.min + offset, size);
     const VoxelKey last = voxelAt(box.max + offset, size);
-    planar_ ? plane_.visit(first, last, size, ask) : visitVoxels(first, last, ask);
-    return grid;
+    planar_ ? plane_.visit(first, last, size, set) : visitVoxels(first, last, set);
+  }
+
+  void setMatter(const Vec3& point, VoxelGrid* grid) const {
+    const VoxelKey key = voxelAt(point, grid->voxelSize());
+    const Vec3 center = voxelCenter(key, grid->voxelSize());
+    if (!planar_ || plane_.passes(center, grid->voxelSize())) grid->set(key, 1.0F);
   }
 
   const Scenario& scene_;

@@ -50,16 +50,16 @@ SequentialBelief::SequentialBelief(const SequentialBeliefParameters& parameters)
 void SequentialBelief::observe(const ContactObservation& observation) {
   const Pose& pose = observation.T_world_object;
   if (observation.line && observation.contact_id != last_line_contact_) {
-    last_line_contact_ = observation.contact_id;
     applyContact(pose, *observation.line);
+    last_line_contact_ = observation.contact_id;
   }
   if (observation.state != ContactState::kFree) return;
   const bool near_last = last_free_pose_ &&
                          distanceBetween(*last_free_pose_, pose) < parameters_.free_distance &&
                          angleBetween(*last_free_pose_, pose) < parameters_.free_angle;
   if (near_last) return;
-  last_free_pose_ = pose;
   applyFreeSpace(pose);
+  last_free_pose_ = pose;
 }
 
 void SequentialBelief::applyContact(const Pose& T_world_object, const LineOfAction& line_object) {

@@ -28,6 +28,9 @@ namespace og = ompl::geometric;
 // Poses nearer than this [m + rad] are one pose but for rounding.
 constexpr double kSamePose = 1e-9;
 
+// A goal nearer to the plane of motion than this [m + rad] lies in it, as MotionSpace::contains.
+constexpr double kInPlane = 1e-6;
+
 void silenceOmpl() {
   static std::once_flag silenced;
   std::call_once(silenced, [] { ompl::msg::noOutputHandler(); });
@@ -37,11 +40,13 @@ void silenceOmpl() {
 class CallerMotionValidator : public ob::MotionValidator {
  public:
   CallerMotionValidator(const ob::SpaceInformationPtr& information, const MotionStateSpace& space,
-                        const MotionValidity& valid)
-      : MotionValidator(information), space_(space), valid_(valid) {}
+                        const MotionSpace& allowed, const MotionValidity& valid)
+      : MotionValidator(information), space_(space), allowed_(allowed), valid_(valid) {}
 
   bool checkMotion(const ob::State* from, const ob::State* to) const override {
-    return valid_(space_.toPose(from), space_.toPose(to));
+    const Pose begin = space_.toPose(from);
+    const Pose end = space_.toPose(to);
+    return allowed_.allowsTurn(begin, end) && valid_(begin, end);
   }
 
   bool checkMotion(const ob::State* from, const ob::State* to,
@@ -54,6 +59,7 @@ class CallerMotionValidator : public ob::MotionValidator {
 
  private:
   const MotionStateSpace& space_;
+  const MotionSpace& allowed_;
   const MotionValidity& valid_;
 };
 
@@ -99,7 +105,7 @@ class Budget {
 class Search {
  public:
   Search(const MotionStateSpace& space, const PathPlannerParameters& parameters, std::uint32_t seed,
-         const StateValidity& valid, const MotionValidity& motion_valid)
+         const MotionSpace& allowed, const StateValidity& valid, const MotionValidity& motion_valid)
       : space_(space),
         parameters_(parameters),
         information_(std::make_shared<ob::SpaceInformation>(space.ompl())) {
@@ -108,7 +114,7 @@ class Search {
       return space.isInWorkspace(pose) && valid(pose);
     });
     information_->setMotionValidator(
-        std::make_shared<CallerMotionValidator>(information_, space, motion_valid));
+        std::make_shared<CallerMotionValidator>(information_, space, allowed, motion_valid));
     information_->setup();
     planner_ = makePlanner(seed);
   }
@@ -191,12 +197,6 @@ std::string refusal(const std::string& name, const Pose& pose, const MotionSpace
     return "the " + name + " " + where + " is outside of the workspace " +
            describe(space.workspace.min) + " to " + describe(space.workspace.max);
   }
-  MotionSpace unbounded = space;
-  unbounded.workspace.min.setConstant(-std::numeric_limits<double>::infinity());
-  unbounded.workspace.max.setConstant(std::numeric_limits<double>::infinity());
-  if (!unbounded.contains(pose)) {
-    return "the " + name + " " + where + " does not lie in the plane of motion";
-  }
   if (!valid(pose)) return "the " + name + " " + where + " is in collision";
   return "";
 }
@@ -229,12 +229,17 @@ Result<Path> PathPlanner::plan(const Pose& start, const Pose& goal, const StateV
   silenceOmpl();
   tree_.clear();
   const MotionStateSpace states(space_, seed_);
-  for (const auto& [name, pose] : {std::make_pair("start", start), std::make_pair("goal", goal)}) {
+  for (const auto& [name, pose] :
+       {std::make_pair("start", space_.moved(start)), std::make_pair("goal", goal)}) {
     const std::string reason = refusal(name, pose, space_, states, valid);
     if (!reason.empty()) return Failure{reason};
   }
+  if (gapBetween(goal, space_.moved(goal)) > kInPlane) {
+    return Failure{"the goal " + describe(goal.translation()) +
+                   " does not lie in the plane of motion"};
+  }
   if (gapBetween(start, goal) <= kSamePose) return Path{start, goal};
-  Search search(states, parameters_, seed_, valid, motion_valid);
+  Search search(states, parameters_, seed_, space_, valid, motion_valid);
   Result<Path> path = search.run(start, goal);
   if (keep_tree_) tree_ = search.tree();
   return path;

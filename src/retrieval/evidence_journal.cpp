@@ -88,7 +88,13 @@ std::optional<std::string> EvidenceJournal::newest(const std::string& directory)
 
 void writeEvidence(const std::string& file, const EvidenceSource& source,
                    const std::vector<ContactObservation>& observations) {
-  const OpenEvidence written(file, source, observations);
+  try {
+    const OpenEvidence written(file, source, observations);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(file + ".part", ignored);
+    throw;
+  }
 }
 
 }  // namespace smore

@@ -67,9 +67,9 @@ Pose InformedTouches::drawEnd(const Pose& from, double held, CounterRandom* rand
   const double shortest = parameters_.probe_length * held;
   const double longest = std::max(shortest, (space_.workspace.max - space_.workspace.min).norm());
   const double length = shortest * std::pow(longest / shortest, random->uniform());
-  Pose end = from;
+  Pose end = space_.moved(from);
   end.translation() += share * length * direction;
-  end.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix() * from.linear();
+  end.linear() = Eigen::AngleAxisd(angle, axis).toRotationMatrix() * end.linear();
   return end;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/retrieval/retrieval.h"
 
+#include <sstream>
 #include <utility>
 
 #include "smore/common/elapsed_time.h"
@@ -46,6 +47,7 @@ RetrievalOutcome Retrieval::run() {
   progress_ = {};
   calibration_ = RiskCalibration(parameters_.motion);
   refused_ = 0;
+  missed_ = 0;
   Plan plan;
   if (atGoal()) {
     finish(true, "the object was at the goal already");
@@ -66,6 +68,16 @@ bool isAtGoal(const RetrievalParameters& parameters, const Pose& T_world_object)
 }
 
 bool Retrieval::atGoal() const { return isAtGoal(parameters_, robot_->pose()); }
+
+std::string Retrieval::missedGoal() const {
+  const Pose end = robot_->pose();
+  std::ostringstream text;
+  text << "the robot ended " << missed_ << " motions in a row beside the goal, the last one "
+       << distanceBetween(end, parameters_.goal) << " m and "
+       << angleBetween(end, parameters_.goal)
+       << " rad away; the goal_tolerance must be wider than the robot is accurate";
+  return text.str();
+}
 
 bool Retrieval::stopped() { return stop_requested_ && finish(false, "stopped by the user"); }
 
@@ -129,8 +141,10 @@ bool Retrieval::execute(const Plan& plan) {
   }
   switch (motion.end) {
     case MotionEnd::kReached:
-      return atGoal() && finish(true, "the object is at the goal");
+      if (atGoal()) return finish(true, "the object is at the goal");
+      return ++missed_ >= parameters_.max_failed_plans && finish(false, missedGoal());
     case MotionEnd::kContact:
+      missed_ = 0;
       ++progress_.collisions;
       if (recover()) return true;
       return progress_.collisions >= parameters_.max_collisions &&

@@ -4,7 +4,9 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include <new>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "scenario_priors.h"
@@ -136,14 +138,22 @@ class BagReader {
   BagEvidence result_;
 };
 
+[[noreturn]] void refuse(const std::string& file, const std::exception& error) {
+  throw InputError(file + ": no bag that can be read (" + error.what() +
+                   "); rosbag reindex mends one that was cut");
+}
+
 }  // namespace
 
 BagEvidence readBag(const std::string& file, const BagChoices& choices) {
   try {
     return BagReader(file, choices).read();
-  } catch (const rosbag::BagException& error) {
-    throw InputError(file + ": no bag that can be read (" + error.what() +
-                     "); rosbag reindex mends one that was cut");
+  } catch (const ros::Exception& error) {  // of rosbag, and of messages that do not end
+    refuse(file, error);
+  } catch (const std::bad_alloc& error) {  // a length that was damaged
+    refuse(file, error);
+  } catch (const std::length_error& error) {
+    refuse(file, error);
   }
 }
 

@@ -36,8 +36,10 @@ void BeliefDisplay::publish(const Worlds& worlds, std::uint64_t revision) {
   world_.send(revision, [&] { return sampledWorldMarkers(worlds, shown_, frames_); });
 }
 
-void BeliefDisplay::publish(const std::vector<LineOfAction>& lines, double half_length) {
+void BeliefDisplay::publish(const std::vector<LineOfAction>& lines, std::uint64_t epoch,
+                            double half_length) {
   if (std::exchange(half_length_, half_length) != half_length) lines_.renew();
+  if (std::exchange(epoch_, epoch) != epoch) lines_.renew();
   lines_.send(lines.size(), [&] { return lineMarkers(lines, half_length, voxel_size_, frames_); });
 }
 

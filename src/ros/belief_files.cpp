@@ -4,6 +4,7 @@
 #include <octomap/octomap.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
@@ -19,6 +20,17 @@ namespace fs = std::filesystem;
 const char* variable(const char* name) {
   const char* value = std::getenv(name);
   return value != nullptr && *value != '\0' ? value : nullptr;
+}
+
+// Planes so near to each other are one: below what the calibration of an arm repeats. Ours.
+constexpr double kPlaneHeight = 0.005;  // [m]
+constexpr double kPlaneTilt = 0.02;     // [rad]
+
+bool inOnePlane(const Pose& T_world_one, const Pose& T_world_other) {
+  const Pose T_one_other = T_world_one.inverse() * T_world_other;
+  return std::abs(T_one_other.translation().z()) <= kPlaneHeight &&
+         T_one_other.linear().col(2).head<2>().norm() <= kPlaneTilt &&
+         T_one_other.linear()(2, 2) > 0.0;
 }
 
 std::string motionName(Motion motion) { return motion == Motion::kPlanar ? "planar" : "spatial"; }
@@ -82,6 +94,10 @@ std::string BeliefFiles::loadFrom(const std::string& file, MapKeeper* keeper) co
   if (motion != source_.task.motion) {
     throw InputError(file + ": recorded in " + motionName(motion) + " motion, this task is " +
                      motionName(source_.task.motion) + "; load evidence of the same kind");
+  }
+  if (motion == Motion::kPlanar && !inOnePlane(source_.task.start, evidence.source.task.start)) {
+    throw InputError(file + ": recorded in another plane of motion than that of this task; load " +
+                     "evidence whose start lies in it");
   }
   keeper->load(evidence.source.priors, evidence.observations);
   const auto lines = std::count_if(evidence.observations.begin(), evidence.observations.end(),

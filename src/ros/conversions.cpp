@@ -39,6 +39,9 @@ Result<Pose> makeChecked(const Vec3& position, const geometry_msgs::Quaternion& 
   if (!position.allFinite() || !rotation.coeffs().allFinite()) {
     return Failure{"the pose is not finite"};
   }
+  if (position.cwiseAbs().maxCoeff() > kFarthestPlace) {
+    return Failure{"the pose is more than 10 km from the origin; check the frame and its units"};
+  }
   if (std::abs(rotation.norm() - 1.0) > kUnitTolerance) {
     return Failure{"the pose's quaternion is not of unit length; normalise it"};
   }
@@ -74,6 +77,7 @@ Result<LineOfAction> fromMessage(const smore_msgs::LineOfAction& message) {
   if (std::abs(line.direction.norm() - 1.0) > kUnitTolerance) {
     return Failure{"the line's direction is not of unit length"};
   }
+  line.direction.normalize();
   if (line.force <= 0.0 || line.direction_stddev < 0.0 || line.offset_stddev < 0.0) {
     return Failure{"the line's force must be positive and its deviations not negative"};
   }

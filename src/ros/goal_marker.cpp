@@ -89,10 +89,7 @@ void GoalMarker::drag(const Feedback& feedback) {
     return;
   }
   // A mouse leaves the plane of planar motion by its rounding.
-  const MotionSpace space = scenario_.motionSpace();
-  const Pose& plane = space.T_world_plane;
-  const bool planar = space.motion == Motion::kPlanar;
-  moveTo(planar ? plane * projectedToPlane(plane.inverse() * *pose) : *pose);
+  moveTo(scenario_.motionSpace().moved(*pose));
 }
 
 void GoalMarker::moveTo(const Pose& T_world_goal) {

@@ -157,9 +157,9 @@ void MapKeeper::replace(MapState state) {
 // Time of the newest observation up to now [s].
 double MapKeeper::forgetQueue() {
   const std::lock_guard<std::mutex> lock(queue_mutex_);
-  const double newest = queue_.empty() ? state_.stamp : queue_.back().time;
   queue_.clear();
-  return newest;
+  ++forgotten_;
+  return arrived_.at ? arrived_.newest : state_.stamp;
 }
 
 std::optional<std::string> MapKeeper::takeProblem() {
@@ -176,17 +176,19 @@ void MapKeeper::work() {
     }
     const ContactObservation observation = queue_.front();
     queue_.pop_front();
+    const int forgotten = forgotten_;
     lock.unlock();
-    take(observation);
+    take(observation, forgotten);
     lock.lock();
   }
 }
 
-void MapKeeper::take(ContactObservation observation) {
+// What left the queue before that was forgotten is forgotten with it.
+void MapKeeper::take(ContactObservation observation, int forgotten) {
   {
     const std::lock_guard<std::mutex> lock(state_mutex_);
     observation.contact_id = numbering_.numberOf(observation.contact_id);
-    takeIn(observation);
+    if (forgotten == forgotten_) takeIn(observation);
     state_.stamp = observation.time;
   }
   taken_.notify_all();

@@ -233,15 +233,15 @@ class MappingNode {
     std::optional<VoxelGrid> world, object;
     std::shared_ptr<const Worlds> worlds;
     std::vector<LineOfAction> lines;
-    std::uint64_t revision = 0;
+    std::uint64_t revision = 0, epoch = 0;
     ros::Time stamp;
     keeper_->access([&](const MapState& state) {
       revision = revisionOf(state);
       stamp = timeOf(state.stamp);
       lines = state.lines;
+      epoch = state.log.epoch();
       report_.observations = state.log.size();
-      if (std::exchange(epoch_told_, state.log.epoch()) != epoch_told_)
-        source = sourceMessage(source_, state);
+      if (std::exchange(epoch_told_, epoch) != epoch) source = sourceMessage(source_, state);
       if (world_.isDue(revision)) world = state.maps->world();
       if (object_.isDue(revision)) object = state.maps->object();
       if (belief_.isDue(revision)) worlds = worldsOf(*state.maps);
@@ -250,7 +250,7 @@ class MappingNode {
     if (object) object_.publish(*object, revision, stamp);
     if (source) source_told_.publish(*source);
     if (worlds) belief_.publish(*worlds, revision);
-    belief_.publish(lines, display_.lineHalfLength());
+    belief_.publish(lines, epoch, display_.lineHalfLength());
     report_.lines = lines.size();
     report_.revision = revision;
     publishStatus();

@@ -17,6 +17,11 @@ double yawOf(const Pose& pose) { return std::atan2(pose.linear()(1, 0), pose.lin
 
 }  // namespace
 
+Pose MotionSpace::moved(const Pose& T_world_object) const {
+  if (motion == Motion::kSpatial) return T_world_object;
+  return T_world_plane * projectedToPlane(T_world_plane.inverse() * T_world_object);
+}
+
 // The shorter turn between two angles in (-pi, pi] that differ by more than pi leads past pi.
 bool MotionSpace::allowsTurn(const Pose& T_world_from, const Pose& T_world_to) const {
   if (motion == Motion::kSpatial || full_turns) return true;

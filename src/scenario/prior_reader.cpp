@@ -21,7 +21,8 @@ void readFile(ParameterReader* reader, PriorSource* entry) {
   if (reader->has("position")) reader->vector("position", &position, kPriorPosition);
   if (reader->has("rpy")) reader->angles("rpy", &rpy);
   entry->pose = makePose(position, rpy);
-  if (entry->format == PriorFormat::kMesh && reader->has("scale")) {
+  if ((entry->format == PriorFormat::kMesh || entry->format == PriorFormat::kCloud) &&
+      reader->has("scale")) {
     reader->vector("scale", &entry->scale, kScale);
   }
 }

@@ -19,7 +19,9 @@ double uniform(Random* random, double half_width) {
 // In the plane of a planar motion, in all directions else; in the world.
 Vec3 drawShift(const Scenario& scenario, Random* random) {
   const double half_width = scenario.perturb.position;
-  Vec3 shift(uniform(random, half_width), uniform(random, half_width), 0.0);
+  Vec3 shift = Vec3::Zero();
+  shift.y() = uniform(random, half_width);
+  shift.x() = uniform(random, half_width);
   if (scenario.motion == Motion::kPlanar) return scenario.start.linear() * shift;
   shift.z() = uniform(random, half_width);
   return shift;

@@ -113,6 +113,71 @@ TEST(PriorMaps, AMeshSaysWhatIsInItsOwnBox) {
   EXPECT_EQ(saidAt(prior, {0.15, 0.15, 0.001}), Said::kNothing);
 }
 
+// A sheet of a millimetre, between two layers of voxels or anywhere: nothing passes it.
+TEST(PriorMaps, ThinMatterIsThickenedAndNeverFree) {
+  for (const double place : {0.3, 0.302, 0.305, 0.308}) {
+    for (const double turn : {0.0, 0.2, 0.4}) {
+      Scenario scene = sceneWith({{}, {truth()}});
+      scene.workspace = {Vec3(-0.2, -0.2, -0.01), Vec3(0.6, 0.2, 0.01)};
+      scene.environment = {
+          {BoxShape{Vec3(0.001, 3.0, 0.3)}, makePose(Vec3(place, 0.0, 0.0), Vec3(0, 0, turn))}};
+      const Prior prior = makePriors(scene).world.at(0);
+      for (double y = -0.3; y < 0.3; y += 0.0017) {
+        bool stopped = false;
+        for (double x = place - 0.2; x < place + 0.2; x += 0.0023) {
+          stopped = stopped || saidAt(prior, {x, y, 0.001}) == Said::kMatter;
+        }
+        EXPECT_TRUE(stopped) << "at " << place << ", turned by " << turn << ", y " << y;
+      }
+    }
+  }
+}
+
+TEST(PriorMaps, ThickMatterIsAsThickAsItIs) {
+  const Prior prior = makePriors(sceneWith({{truth()}, {}})).object.at(0);
+  int matter = 0;
+  for (const VoxelGrid::Voxel& voxel : prior.known.voxels()) matter += voxel.probability > 0.5F;
+  EXPECT_EQ(matter, 2 * 10 * 30) << "10 cm by 30 cm, voxels of 1 cm in two layers";
+}
+
+// Walls that are thinner than the lattice, as a mapping of finer voxels has them.
+TEST(PriorMaps, FinerOctreesKeepTheirWalls) {
+  TemporaryDirectory directory;
+  VoxelGrid grid(0.002);
+  for (double y = -0.049; y < 0.05; y += 0.002) {
+    grid.set(voxelAt({0.101, y, 0.001}, 0.002), 0.9F);
+    for (double x = 0.103; x < 0.13; x += 0.002) grid.set(voxelAt({x, y, 0.001}, 0.002), 0.1F);
+  }
+  ASSERT_TRUE(toOctree(grid)->write(directory.path() + "/fine.ot"));
+  const PriorSource source = fromFile(PriorFormat::kOctree, directory.path() + "/fine.ot");
+  const Prior prior = makePriors(sceneWith({{}, {source}})).world.at(0);
+  for (double y = -0.045; y < 0.045; y += 0.01) {
+    EXPECT_EQ(saidAt(prior, {0.101, y, 0.001}), Said::kMatter);
+  }
+  EXPECT_NE(saidAt(prior, {0.121, 0.001, 0.001}), Said::kMatter);
+}
+
+// A camera sees the wall behind the room as well.
+TEST(PriorMaps, ACloudIsAsFineWithPointsFarAway) {
+  PriorSource cloud;
+  cloud.format = PriorFormat::kCloud;
+  for (double y = -0.05; y < 0.05; y += 0.005) cloud.points.emplace_back(0.105, y, 0.001);
+  const Prior near = makePriors(sceneWith({{}, {cloud}})).world.at(0);
+  cloud.points.emplace_back(90.0, 60.0, 0.001);
+  const Prior prior = makePriors(sceneWith({{}, {cloud}})).world.at(0);
+  EXPECT_EQ(prior.known.size(), near.known.size() + 1);
+  EXPECT_EQ(saidAt(prior, {0.105, 0.0, 0.001}), Said::kMatter);
+}
+
+TEST(PriorMaps, ACloudMayBeInMillimetres) {
+  PriorSource cloud;
+  cloud.format = PriorFormat::kCloud;
+  cloud.points = {{105.0, 5.0, 1.0}};
+  cloud.scale = Vec3::Constant(0.001);
+  EXPECT_EQ(saidAt(makePriors(sceneWith({{}, {cloud}})).world.at(0), {0.105, 0.005, 0.001}),
+            Said::kMatter);
+}
+
 TEST(PriorMaps, ACloudSaysWhereItsPointsAreAndNothingElse) {
   TemporaryDirectory directory;
   const PriorSource cloud =
@@ -162,9 +227,17 @@ TEST(PriorMaps, AnOctreeThatWasCutIsRefused) {
   for (int i = 0; i < 100; ++i) grid.set(voxelAt({0.05 * i, 0.02, 0.02}, 0.05), 0.9F);
   std::ostringstream whole;
   ASSERT_TRUE(toOctree(grid)->write(whole));
-  const std::string half = whole.str().substr(0, whole.str().size() / 2);
-  const std::string file = directory.write("half.ot", half);
-  EXPECT_NE(problemOf(sceneWith({{}, {fromFile(PriorFormat::kOctree, file)}})).find("was cut"),
+  const std::string bytes = whole.str();
+  const auto says = [&](const std::string& content) {
+    const std::string file = directory.write("damaged.ot", content);
+    return problemOf(sceneWith({{}, {fromFile(PriorFormat::kOctree, file)}}));
+  };
+  for (const double share : {0.3, 0.5, 0.9, 0.99}) {
+    const auto length = static_cast<std::size_t>(share * static_cast<double>(bytes.size()));
+    EXPECT_NE(says(bytes.substr(0, length)).find("was cut or damaged"), std::string::npos) << share;
+  }
+  const std::string header = bytes.substr(0, bytes.find("data\n") + 5);
+  EXPECT_NE(says(header + std::string(1000000, '\xff')).find("was cut or damaged"),
             std::string::npos);
 }
 

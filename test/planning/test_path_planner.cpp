@@ -176,6 +176,13 @@ TEST(PathPlannerTest, saysWhatIsWrongWithTheEnds) {
   expectReason(planInRoom(Pose::Identity(), not_a_pose, everywhere), "the goal is not finite");
 }
 
+TEST(PathPlannerTest, beginsWhereAnArmStandsBesideThePlane) {
+  const Pose beside = makePose(Vec3(0, 0, 0.002), Vec3(0.01, 0, 0));
+  const auto path = planInRoom(beside, makePose(Vec3(0.5, 0, 0)), everywhere);
+  ASSERT_TRUE(path) << path.reason();
+  EXPECT_TRUE(path->front().isApprox(beside));
+}
+
 bool besideWall(const Pose& pose) { return std::abs(pose.translation().x() - 0.25) > 0.05; }
 
 TEST(PathPlannerTest, saysThatTheSamplesAreUsedUp) {

@@ -15,6 +15,7 @@ class ScriptedRobot : public Robot {
   std::deque<MotionResult> script;
   std::vector<std::string> calls;
   MotionEnd reset_end = MotionEnd::kReached;
+  double miss = 0.0;  ///< how far beside a path's end it stops where it says to have reached it [m]
 
   Pose pose() const override { return pose_; }
 
@@ -28,7 +29,8 @@ class ScriptedRobot : public Robot {
     if (result.end == MotionEnd::kUnreachable) return result;
     result.length = pathLength(path);
     // A contact stops it half way along the first segment.
-    pose_ = result.end == MotionEnd::kReached ? path.back() : interpolate(path[0], path[1], 0.5);
+    pose_ = result.end == MotionEnd::kReached ? makePose(Vec3(miss, 0, 0)) * path.back()
+                                              : interpolate(path[0], path[1], 0.5);
     return result;
   }
 

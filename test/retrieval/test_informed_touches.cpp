@@ -73,6 +73,17 @@ TEST(InformedTouches, keepWithinTheHalfTurnOfAnArm) {
   EXPECT_GT(turning, 0);
 }
 
+// The free poses lie on a lattice of the world, not in the plane.
+TEST(InformedTouches, areFoundInAPlaneBesideThePosesThatWereFree) {
+  const JointBelief belief = touchedOnce();
+  MotionSpace lifted = space();
+  lifted.T_world_plane = makePose(Vec3(0, 0, 0.0003), Vec3(0.001, 0, 0));
+  InformedTouches touches(belief, lifted, {}, 1);
+  const Path path = *touches.nextTouch(Pose::Identity());
+  ASSERT_GE(path.size(), 2u);
+  EXPECT_TRUE(lifted.contains(path.back()));
+}
+
 TEST(InformedTouches, endWhereNothingTellsEnough) {
   const JointBelief belief = touchedOnce();
   InformedTouchParameters parameters;

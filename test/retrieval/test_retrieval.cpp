@@ -118,6 +118,18 @@ TEST_F(RetrievalTest, givesUpAtTheCollisionLimit) {
   EXPECT_EQ(robot_.calls.back(), "reset") << "it presses still";
 }
 
+// A tolerance below the accuracy of the robot.
+TEST_F(RetrievalTest, givesUpWhereTheRobotKeepsEndingBesideTheGoal) {
+  robot_.miss = 0.0015;
+  RetrievalParameters fine = parameters();
+  fine.goal_position_tolerance = 0.001;
+  const RetrievalOutcome outcome = run(fine);
+  EXPECT_FALSE(outcome.success);
+  EXPECT_EQ(outcome.plans, fine.max_failed_plans);
+  EXPECT_NE(outcome.reason.find("0.0015 m"), std::string::npos) << outcome.reason;
+  EXPECT_NE(outcome.reason.find("goal_tolerance"), std::string::npos) << outcome.reason;
+}
+
 TEST_F(RetrievalTest, doesNotMoveWhatIsAtTheGoalAlready) {
   RetrievalParameters there = parameters();
   there.goal = makePose(Vec3(0.01, 0, 0), Vec3(0, 0, 0.05));

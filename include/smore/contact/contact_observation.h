@@ -25,6 +25,10 @@ struct WrenchSample {
       Eigen::Matrix3d::Identity();  ///< the sensor's axes in the object frame, as columns
 };
 
+/// No robot's object is farther from the world's origin, on any axis [m]: a pose beyond comes from
+/// a fault. The choice is ours: room for frames of surveys, and within the lattices of all maps.
+constexpr double kFarthestPlace = 1e4;
+
 /// What touch says about the pose at one instant.
 struct ContactObservation {
   double time = 0.0;  ///< [s]

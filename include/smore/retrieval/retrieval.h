@@ -84,6 +84,7 @@ class Retrieval {
 
  private:
   bool atGoal() const;
+  std::string missedGoal() const;
   /// Whether the user asked for the end, which is now.
   bool stopped();
   void enter(Phase phase);
@@ -105,6 +106,7 @@ class Retrieval {
   RiskCalibration calibration_{parameters_.motion};
   double planned_risk_ = 0.0;  ///< of the present plan, as the planner stated it
   int refused_ = 0;            ///< paths in a row that the robot could not follow
+  int missed_ = 0;             ///< motions in a row that ended beside the goal
   Pose last_contact_pose_ = Pose::Identity();
   std::atomic<bool> stop_requested_{false};
 };

@@ -35,8 +35,8 @@ class BeliefDisplay {
   void publish(const Worlds& worlds, std::uint64_t revision);
 
   /// Sends the lines, given in the object frame, `half_length` [m] to either side, where there are
-  /// more or fewer than before or they are longer or shorter.
-  void publish(const std::vector<LineOfAction>& lines, double half_length);
+  /// more than before, they are of another log (EvidenceLog::epoch), or longer or shorter.
+  void publish(const std::vector<LineOfAction>& lines, std::uint64_t epoch, double half_length);
 
  private:
   void onWish(const std_msgs::Int32& message);
@@ -44,6 +44,7 @@ class BeliefDisplay {
   FrameNames frames_;
   double voxel_size_;
   double half_length_ = 0.0;  ///< of the lines that were sent last [m]
+  std::uint64_t epoch_ = 0;   ///< of their log
   ros::NodeHandle node_;
   std::atomic<int> wished_{0};  ///< number of the world to be shown; 0: none
   int shown_ = 0;               ///< that was shown last

@@ -18,7 +18,7 @@ void saveMaps(const MapKeeper& keeper, const std::string& directory);
 class BeliefFiles {
  public:
   /// `folder` need not exist yet. `source` is written into each file; what is loaded must be of its
-  /// kind of motion.
+  /// kind of motion, and of its plane.
   BeliefFiles(std::string folder, EvidenceSource source);
 
   /// Writes what the keeper's maps are made of and gives the file's path. InputError for a name

@@ -104,7 +104,7 @@ class MapKeeper {
 
  private:
   void work();
-  void take(ContactObservation observation);
+  void take(ContactObservation observation, int forgotten);
   void takeIn(const ContactObservation& observation);
   MapState made(const Priors& priors, const std::vector<ContactObservation>& observations) const;
   void replace(MapState state);
@@ -120,6 +120,7 @@ class MapKeeper {
   std::deque<ContactObservation> queue_;
   Arrivals arrived_;  ///< but for what waits
   bool ending_ = false;
+  int forgotten_ = 0;  ///< how often the queue was; written under both mutexes
 
   mutable std::mutex state_mutex_;
   mutable std::condition_variable taken_;

@@ -25,6 +25,9 @@ struct MotionSpace {
   /// 1e-6 m and rad).
   bool contains(const Pose& T_world_object) const;
 
+  /// The pose, in planar motion moved into the plane: an arm is never quite in it.
+  Pose moved(const Pose& T_world_object) const;
+
   /// Whether the shorter turn between two poses of the plane keeps within that half turn, so that a
   /// straight motion may join them.
   bool allowsTurn(const Pose& T_world_from, const Pose& T_world_to) const;

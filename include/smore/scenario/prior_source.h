@@ -32,7 +32,7 @@ struct PriorSource {
   PriorFormat format = PriorFormat::kTruth;
   std::string file;              ///< of all but kTruth and `points`
   std::vector<Vec3> points;      ///< of kCloud without a file, finite and at least one [m]
-  Vec3 scale = Vec3::Ones();     ///< of a mesh
+  Vec3 scale = Vec3::Ones();     ///< of a mesh or a cloud
   Pose pose = Pose::Identity();  ///< of what the file holds, in the frame of its map
   std::optional<Bounds> box;     ///< what counts of it, in that frame [m]; nothing: all
   Vec3 offset = Vec3::Zero();    ///< by which it is then moved [m]
