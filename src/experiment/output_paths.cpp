@@ -16,7 +16,15 @@ std::string problemOfDirectory(const std::string& directory) {
   return "";
 }
 
-std::string problemOfFile(const std::string& file) {
+std::string problemOfFile(const std::string& file, const std::vector<std::string>& inputs) {
+  if (std::filesystem::path(file).extension() == ".evidence") {
+    return file + ": is the name of recorded evidence; give another one";
+  }
+  for (const std::string& input : inputs) {
+    std::error_code none;
+    if (!std::filesystem::equivalent(file, input, none)) continue;
+    return file + ": is read as well, and would be written over; give another name";
+  }
   if (std::ofstream(file, std::ios::app)) return "";
   return file + ": cannot be written; check that its directory is there, and its permissions";
 }

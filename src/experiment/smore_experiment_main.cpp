@@ -91,7 +91,10 @@ bool writeFile(const std::string& json, const std::string& file) {
 // An output that cannot be written must be known before hours of trials, not after.
 bool canWriteOutputs(const Arguments& arguments) {
   std::string problem;
-  if (!arguments.output.empty()) problem = smore::problemOfFile(arguments.output);
+  if (!arguments.output.empty()) {
+    problem = smore::problemOfFile(
+        arguments.output, {arguments.scenario, arguments.method_parameters, arguments.touch_poses});
+  }
   for (const std::string& directory :
        {arguments.parameters.maps_directory, arguments.parameters.record_directory}) {
     if (problem.empty() && !directory.empty()) problem = smore::problemOfDirectory(directory);

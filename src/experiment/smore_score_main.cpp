@@ -40,7 +40,9 @@ po::options_description optionsFor(Arguments* arguments) {
 
 int run(const Arguments& arguments) {
   const std::string problem =
-      arguments.output.empty() ? "" : smore::problemOfFile(arguments.output);
+      arguments.output.empty()
+          ? ""
+          : smore::problemOfFile(arguments.output, {arguments.method_parameters});
   if (!problem.empty()) {
     std::cerr << problem << std::endl;
     return smore::kInternalError;

@@ -11,7 +11,6 @@
 #include "smore/common/result.h"
 #include "smore/mapping/contact_merging.h"
 #include "smore/mapping/free_tracks.h"
-#include "smore/mapping/marginal_map.h"
 #include "smore/mapping/repeated_touches.h"
 
 namespace smore {
@@ -209,10 +208,6 @@ Worlds JointBelief::infer() const {
   SampledWorlds sampled = sampledWorlds(counts, &drawn, &touched);
   forgetOtherUnits(drawn);
   const EvidenceAtUnit& main = atUnit(likeliestOf(counts), drawn);
-  VoxelGrid world =
-      marginalMap(sampled, MapSide::kWorld, frame_.T_map_world().inverse(), parameters_.voxel_size);
-  VoxelGrid object =
-      marginalMap(sampled, MapSide::kObject, Pose::Identity(), parameters_.voxel_size);
   const double unit = meanUnit(&EvidenceAtUnit::unit, counts, drawn);
   return {frame_,
           unit,
@@ -223,8 +218,6 @@ Worlds JointBelief::infer() const {
           levers_.size(),
           std::move(sampled),
           std::move(touched),
-          std::move(world),
-          std::move(object),
           secondsSince(begin)};
 }
 

@@ -56,22 +56,30 @@ class MaskedVoxels {
 
 }  // namespace
 
-VoxelGrid marginalMap(const SampledWorlds& worlds, MapSide side, const Pose& T_grid_matter,
-                      double voxel_size) {
+VoxelGrid marginalMap(const Worlds& worlds, MapSide side, double voxel_size) {
   VoxelGrid grid(voxel_size);
   MaskedVoxels voxels(&grid);
   const bool of_object = side == MapSide::kObject;
+  const Pose T_grid_matter = of_object ? Pose::Identity() : worlds.frame.T_map_world().inverse();
   const auto add = [&](const std::vector<MaskedPoint>& balls, double radius) {
     for (const MaskedPoint& ball : balls) {
       voxels.addBall(T_grid_matter * ball.point.cast<double>(), radius, ball.mask);
     }
   };
-  for (const WorldsAtUnit& part : worlds.parts()) {
+  for (const WorldsAtUnit& part : worlds.sampled.parts()) {
     add(of_object ? part.object() : part.world(), part.radius());
     add(of_object ? part.knownObject() : part.knownWorld(), part.knownRadius());
   }
   voxels.store();
   return grid;
+}
+
+const VoxelGrid& MarginalMaps::of(const std::shared_ptr<const Worlds>& worlds, MapSide side,
+                                  double voxel_size) {
+  const std::lock_guard<std::mutex> lock(*making_);
+  Made& made = made_[side];
+  if (made.of != worlds) made = {worlds, marginalMap(*worlds, side, voxel_size)};
+  return *made.map;
 }
 
 }  // namespace smore

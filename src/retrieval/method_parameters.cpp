@@ -12,7 +12,9 @@ namespace {
 
 constexpr Range kLength{1e-3, 1e3};     // [units of length]
 constexpr Range kExtent{0.0, 1e3};      // [units of length]; 0: none
-constexpr Range kUnit{0.0, 10.0};       // of length [m]; 0: it is inferred
+constexpr Range kUnit{0.0, 4.4};        // of length [m], to the largest inferred; 0: it is inferred
+constexpr double kLeastUnit = 1e-3;     // [m]: half of the smallest that is inferred
+constexpr double kLeastBalls = 0.01;    // [units of length]: the lattices' cells are a third of it
 constexpr Range kAngle{1e-4, 3.0};      // [rad]
 constexpr Range kWeight{0.01, 1e3};     // odds
 constexpr Range kStrength{0.0, 100.0};  // 0: off
@@ -94,8 +96,11 @@ void read(const ParameterField& field, ParameterReader* reader) {
 
 // What no parameter's own range says.
 void checkTogether(const JointBeliefParameters& belief, ParameterReader* reader) {
-  if (belief.feature.conflictDistance() <= 0.0) {
-    reader->error("belief.tolerance", "must be below twice belief.radius");
+  if (belief.feature.conflictDistance() < kLeastBalls) {
+    reader->error("belief.tolerance", "must be below twice belief.radius, by 0.01 at least");
+  }
+  if (belief.unit != 0.0 && belief.unit < kLeastUnit) {
+    reader->error("belief.unit", "must be 0 (it is inferred) or 0.001 m at least");
   }
   const ExtentParameters& extent = belief.extent;
   if (extent.shortest > std::min(extent.object_longest, extent.world_longest)) {

@@ -64,7 +64,9 @@ void WrenchIntake::takeWrench(const geometry_msgs::WrenchStamped& message) {
   if (wentBack(stamp, last_stamp_)) restart();
   if (stamp <= last_stamp_) {
     ++dropped_.repeated;
-    return warnOfDropped(message, "it is not newer than the one before; who else publishes?",
+    return warnOfDropped(message,
+                         "it is not newer than the one before; do its stamps jitter, or who else "
+                         "publishes?",
                          &repeated_warning_);
   }
   const std::string problem = frameNameProblem(message.header.frame_id);
@@ -170,7 +172,8 @@ void WrenchIntake::watchRate(double time) {
   const bool far = ratio > kFarRate || ratio < 1.0 / kFarRate;
   if (far && !rate_told_)
     ROS_WARN_STREAM("wrenches come every " << *rate_.period() << " s, noise/sample_period says "
-                                           << told << " s; correct it there, or find out why");
+                                           << told << " s; correct it there (sample_period:= of "
+                                           << "the launch files), or find out why");
   rate_told_ = far;
 }
 

@@ -55,7 +55,8 @@ std::string WristPoses::add(const tf2_msgs::TFMessage& message, bool is_static) 
     // tf2 would complain about each: a repeated message, a second publisher.
     ros::Time& newest = newest_[transform.child_frame_id];
     if (!is_static && transform.header.stamp <= newest) {
-      problem = describe(transform) + " is not newer than the one before; who else sends it?";
+      problem = describe(transform) +
+                " is not newer than the one before; do its stamps jitter, or who else sends it?";
       continue;
     }
     newest = transform.header.stamp;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "smore/scenario/solid_distance.h"
 #include "triangle_tree.h"
@@ -22,6 +23,8 @@ constexpr double kConcavity = 10.0;
 // Weight of the parts' compactness against their concavity, as HACD's own programs have it.
 constexpr double kCompactness = 0.1;
 constexpr std::size_t kMaxVertices = 200;  // of a part's hull
+// Parts that are nearer to the mesh than this, in its size, are good enough. Ours.
+constexpr double kGoodError = 0.01;
 // The error is measured at points of the surfaces so far apart, in the mesh's size.
 constexpr double kErrorSpacing = 0.01;
 
@@ -61,6 +64,27 @@ MeshShape coarsened(const MeshShape& mesh) {
     coarse = joinedWithinCells(mesh, cell);
   }
   return coarse;
+}
+
+// Each triangle becomes four, by the middles of its sides.
+MeshShape withSplitTriangles(const MeshShape& mesh) {
+  MeshShape split;
+  split.vertices = mesh.vertices;
+  std::map<std::pair<int, int>, int> middles;
+  const auto middleOf = [&](int a, int b) {
+    const auto entry = middles.emplace(std::minmax(a, b), static_cast<int>(split.vertices.size()));
+    if (entry.second) split.vertices.push_back(0.5 * (mesh.vertices[a] + mesh.vertices[b]));
+    return entry.first->second;
+  };
+  for (const Eigen::Vector3i& corners : mesh.triangles) {
+    const Eigen::Vector3i middle(middleOf(corners[0], corners[1]), middleOf(corners[1], corners[2]),
+                                 middleOf(corners[2], corners[0]));
+    split.triangles.push_back(middle);
+    split.triangles.emplace_back(corners[0], middle[0], middle[2]);
+    split.triangles.emplace_back(corners[1], middle[1], middle[0]);
+    split.triangles.emplace_back(corners[2], middle[2], middle[1]);
+  }
+  return split;
 }
 
 ConvexPart partOf(HACD::HACD* hacd, std::size_t cluster) {
@@ -141,9 +165,20 @@ double errorOf(const MeshShape& mesh) {
 
 }  // namespace
 
+// HACD joins faces, so that few large ones leave it no place to cut at: where the parts are far off
+// the mesh, its triangles are made smaller, and the best parts are taken.
 void decompose(MeshShape* mesh) {
-  mesh->parts = partsOf(coarsened(*mesh));
+  MeshShape cut = coarsened(*mesh);
+  mesh->parts = partsOf(cut);
   mesh->parts_error = errorOf(*mesh);
+  const double good = kGoodError * sizeOf(*mesh);
+  while (mesh->parts_error > good && 4 * cut.triangles.size() <= kMaxTriangles) {
+    cut = withSplitTriangles(cut);
+    MeshShape finer = *mesh;
+    finer.parts = partsOf(cut);
+    finer.parts_error = errorOf(finer);
+    if (finer.parts_error < mesh->parts_error) *mesh = std::move(finer);
+  }
 }
 
 }  // namespace smore

@@ -82,6 +82,13 @@ TEST_F(MethodParametersFile, RefusesBallsThatNeverContradictEachOther) {
             std::string::npos);
 }
 
+TEST_F(MethodParametersFile, RefusesUnitsThatNoLatticeHolds) {
+  EXPECT_NE(errorsOf("belief: {unit: 1.0e-308}").find("belief.unit"), std::string::npos);
+  EXPECT_NE(errorsOf("belief: {radius: 0.01, tolerance: 0.0199}").find("belief.tolerance"),
+            std::string::npos);
+  EXPECT_EQ(load("belief: {unit: 0.001}").belief.unit, 0.001);
+}
+
 TEST_F(MethodParametersFile, RefusesALargestPatchBelowTheSmallest) {
   EXPECT_NE(errorsOf("belief: {world_patch: 0.01}").find("belief.shortest_patch"),
             std::string::npos);

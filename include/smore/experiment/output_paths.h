@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace smore {
 
@@ -9,7 +10,8 @@ namespace smore {
 /// made where it is missing, with those that it lies in. Asked before hours of work, not after.
 std::string problemOfDirectory(const std::string& directory);
 
-/// The same for a file, which is made where it is missing. What it holds stays.
-std::string problemOfFile(const std::string& file);
+/// The same for a file, which is made where it is missing. What it holds stays. Recorded evidence
+/// and the files in `inputs` (names of none, too) are not written over.
+std::string problemOfFile(const std::string& file, const std::vector<std::string>& inputs = {});
 
 }  // namespace smore

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "smore/mapping/evidence_at_unit.h"
+#include "smore/mapping/marginal_map.h"
 #include "smore/mapping/twin_map.h"
 #include "smore/mapping/worlds.h"
 
@@ -46,8 +47,12 @@ class JointBelief : public TwinMap {
   /// has changed, where the pose is out of the range of voxel keys.
   void observe(const ContactObservation& observation) override;
   /// Both maps: valid until the next observation. See worlds().
-  const VoxelGrid& world() const override { return worlds()->world; }
-  const VoxelGrid& object() const override { return worlds()->object; }
+  const VoxelGrid& world() const override {
+    return marginals_.of(worlds(), MapSide::kWorld, parameters_.voxel_size);
+  }
+  const VoxelGrid& object() const override {
+    return marginals_.of(worlds(), MapSide::kObject, parameters_.voxel_size);
+  }
   std::uint64_t revision() const override { return revision_; }
   void update() const override { worlds(); }
 
@@ -121,6 +126,7 @@ class JointBelief : public TwinMap {
   mutable std::map<std::pair<int, int>, EvidenceAtUnit> at_unit_;
   std::unique_ptr<std::mutex> inferring_ = std::make_unique<std::mutex>();
   mutable std::shared_ptr<const Worlds> worlds_;  ///< null while nobody has asked
+  mutable MarginalMaps marginals_;
 };
 
 }  // namespace smore

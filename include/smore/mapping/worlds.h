@@ -33,8 +33,6 @@ struct Worlds {
 
   SampledWorlds sampled;
   TouchedPlaces touched;  ///< of the contacts that take part
-  VoxelGrid world;        ///< occupancy in the world frame: the worlds' marginals
-  VoxelGrid object;       ///< the same in the object frame
 
   double inference_s = 0.0;  ///< wall time that it took to make this [s]
 };
