@@ -9,6 +9,7 @@ namespace {
 
 // Beyond this a quaternion is taken for an error, not for rounding.
 constexpr double kUnitTolerance = 0.01;
+constexpr double kRounding = 1e-9;
 
 template <typename Message>
 Message toXyz(const Vec3& vector) {
@@ -77,7 +78,8 @@ Result<LineOfAction> fromMessage(const smore_msgs::LineOfAction& message) {
   if (std::abs(line.direction.norm() - 1.0) > kUnitTolerance) {
     return Failure{"the line's direction is not of unit length"};
   }
-  line.direction.normalize();
+  // Not one that is of unit length but for rounding: copies of it stay the same to the bit.
+  if (std::abs(line.direction.norm() - 1.0) > kRounding) line.direction.normalize();
   if (line.force <= 0.0 || line.direction_stddev < 0.0 || line.offset_stddev < 0.0) {
     return Failure{"the line's force must be positive and its deviations not negative"};
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "smore/kinematics/tool_gap.h"
+#include "smore/ros/interruptible_call.h"
 #include "smore/ros/names.h"
 #include "smore/ros/settle_deadline.h"
 
@@ -134,7 +135,9 @@ MotionResult RosRobot::reset(const Pose& start) {
   MotionResult result;
   std_srvs::Trigger call;
   if (stop_requested_) return {MotionEnd::kStopped, "stopped by the user", 0.0};
-  if (!reset_.call(call) || !call.response.success) {
+  const bool answered =
+      callInterruptibly(reset_, &call, [this] { return stopRequested() || !ros::ok(); });
+  if (!answered || !call.response.success) {
     result.reason = "the service '" + reset_.getService() + "' failed: " + call.response.message;
   } else if (!waitUntilAt(start)) {
     result.reason = "the robot did not come to the start";

@@ -107,6 +107,7 @@ WrenchSample ArmRobot::advance() {
   const Pose T_object_sensor = T_sensor_object().inverse();
   sample.wrench = transformWrench(T_object_sensor, reading_.wrench);
   sample.sensor_object = T_object_sensor.translation();
+  sample.sensor_axes_object = T_object_sensor.linear();
   sample.T_world_object = pose();
   return sample;
 }

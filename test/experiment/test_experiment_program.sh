@@ -30,6 +30,10 @@ expect 2 "give one of them" --scenario "$reference" --informed-touches --random-
 expect 2 "scenario '/nowhere.yaml': there is no readable file" --scenario /nowhere.yaml
 expect 2 "one of: c_on_peg, chair" --scenario nowhere
 expect 0 "/one_peg.yaml: valid" --scenario one_peg --validate
+cp "$scenarios/one_peg.yaml" "$directory/own.yaml"
+expect 1 "is read as well" --scenario "$directory/own.yaml" --output "$directory/own.yaml"
+cmp -s "$scenarios/one_peg.yaml" "$directory/own.yaml" || { echo "the scenario was written over"; failures=1; }
+expect 1 "the name of recorded evidence" --scenario one_peg --output "$directory/seed_1.evidence"
 sed 's/voxel_size: 0.03/voxel_size: -1/; s/task:/tusk:/' "$reference" >"$directory/bad.yaml"
 expect 2 "voxel_size" --scenario "$directory/bad.yaml"
 expect 2 "tusk: unknown key" --scenario "$directory/bad.yaml"

@@ -200,6 +200,14 @@ TEST_P(EvidenceFile, refusesOtherFilesAndNewerOnes) {
   EXPECT_PRED2(says, problemOf(newer), "use a newer one");
 }
 
+// A world frame far away, or a glitch of tf: what the mapping takes is not lost.
+TEST_P(EvidenceFile, readsPosesFarOutsideOfTheWorkspace) {
+  std::vector<ContactObservation> observations = randomObservations(8, 50);
+  for (ContactObservation& observation : observations)
+    observation.T_world_object.pretranslate(Vec3(40, 0, 0));
+  EXPECT_EQ(problemOf(contentOf(record(observations))), "");
+}
+
 TEST_P(EvidenceFile, refusesDamagedRecordsByTheirLine) {
   const std::string content = contentOf(record(randomObservations(8, 50)));
   const auto damaged = [&](const std::string& from, const std::string& to) {

@@ -128,6 +128,20 @@ TEST(Conversions, ObservationsThatCannotBeAreRefused) {
   bad = good;
   bad.pose.position.x = kInfinity;
   EXPECT_FALSE(fromMessage(bad));
+  bad = good;
+  bad.pose.position.x = 2.0 * kFarthestPlace;
+  EXPECT_FALSE(fromMessage(bad)) << "no record could be read again";
+}
+
+TEST(Conversions, DirectionsOfAboutUnitLengthBecomeOfUnitLength) {
+  RandomPoses random;
+  auto message = toMessage(observationWithLine(&random), {});
+  message.line.direction.x *= 0.995;
+  message.line.direction.y *= 0.995;
+  message.line.direction.z *= 0.995;
+  const Result<ContactObservation> back = fromMessage(message);
+  ASSERT_TRUE(back);
+  EXPECT_NEAR(back->line->direction.norm(), 1.0, 1e-12);
 }
 
 TEST(Conversions, TheObservationsTypeOnTheWireIsThePackages) {

@@ -5,6 +5,7 @@
 #include "../scenario/temporary_directory.h"
 #include "keeper_feeding.h"
 #include "smore/common/result.h"
+#include "smore/ros/belief_files.h"
 
 namespace smore {
 namespace {
@@ -73,6 +74,26 @@ TEST(MapKeeper, leavesOutAnObservationThatDoesNotFitAndTellsItOnce) {
   expectSameState(other, keeper);
 }
 
+// What its thread holds in its hands at a reset is forgotten, too.
+TEST(MapKeeper, knowsNothingAfterAResetThatCameBefore) {
+  MapKeeper keeper(emptyMaps(MethodKind::kSmore), kSpacing);
+  for (int i = 0; i < 100; ++i) {
+    std::vector<ContactObservation> observations = touches(i, 100.0 * i, 1);
+    for (const ContactObservation& observation : observations) keeper.push(observation);
+    const double newest = keeper.arrivals().newest;
+    keeper.reset();
+    ContactObservation next = observations.back();
+    next.time = newest + 1.0;
+    keeper.push(next);
+    ASSERT_TRUE(keeper.waitFor(next.time, kLongEnough));
+    keeper.access([&](const MapState& state) {
+      EXPECT_EQ(state.since, newest);
+      ASSERT_EQ(state.log.size(), 1U) << "in round " << i;
+      EXPECT_EQ(state.log.from(0).front().time, next.time);
+    });
+  }
+}
+
 TEST(MapKeeper, beginsANewFileWithEachReset) {
   const TemporaryDirectory directory;
   MapKeeper keeper(emptyMaps(MethodKind::kSmore), kSpacing,
@@ -84,6 +105,18 @@ TEST(MapKeeper, beginsANewFileWithEachReset) {
   EXPECT_NE(first, second);
   EXPECT_GT(readEvidence(first).observations.size(), 0U);
   EXPECT_EQ(readEvidence(second).observations.size(), 0U);
+}
+
+TEST(BeliefFiles, refusesEvidenceOfAnotherPlane) {
+  const TemporaryDirectory directory;
+  EvidenceSource lifted = source(MethodKind::kSmore);
+  lifted.task.start = makePose({0.0, 0.0, 0.3});
+  MapKeeper keeper(emptyMaps(MethodKind::kSmore), kSpacing);
+  feed(&keeper, touches(1, 0.0, 1));
+  BeliefFiles(directory.path(), source(MethodKind::kSmore)).save(keeper, "flat", false);
+  const BeliefFiles other(directory.path(), lifted);
+  EXPECT_THROW(other.load("flat", &keeper), InputError);
+  EXPECT_NO_THROW(BeliefFiles(directory.path(), source(MethodKind::kSmore)).load("flat", &keeper));
 }
 
 TEST(EvidenceJournal, tellsADirectoryThatCannotBeMade) {
