@@ -12,6 +12,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from user_files import save_picture
 
 COLORS = ("#1a9641", "#3b6fb6", "#b0763a", "#7a7a7a")
 PANELS = (
@@ -47,7 +48,7 @@ def main():
         axes.set_ylim(bottom=0.0)
         axes.grid(alpha=0.3)
     all_axes[0].legend(fontsize=9)
-    figure.savefig(options.output, dpi=110)
+    save_picture(figure, options.output, dpi=110)
 
 
 if __name__ == "__main__":

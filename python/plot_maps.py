@@ -27,6 +27,7 @@ from matplotlib.lines import Line2D
 from octree_file import OctreeFileError, read_octree
 from scene_file import SceneFileError
 from scene_geometry import Scene, View, fullest_depth, outline_mask, transform
+from user_files import save_picture
 
 UNKNOWN = "#c3cedb"
 WORLD_COLORS = "gray"
@@ -272,7 +273,7 @@ def main():
     except (OSError, OctreeFileError, KeyError, ValueError, SceneFileError) as problem:
         sys.exit(f"plot_maps: {problem}")
     figure.suptitle(options.title or f"{scene.name}: what was learnt by touch", fontsize=13)
-    figure.savefig(output, dpi=160)
+    save_picture(figure, output, dpi=160)
     print(output)
 
 

@@ -10,8 +10,6 @@ expected calibration error is the mean distance of the dots from the diagonal, w
 It prints this, the log-loss, and what the base rate of the motions would have.
 """
 import argparse
-import json
-import pathlib
 import sys
 
 import matplotlib
@@ -19,6 +17,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from user_files import read_result, save_picture
 
 BINS = 10
 LEAST = 1e-3  # of what was forecast for the outcome
@@ -35,7 +34,7 @@ def arguments():
 
 def read(files):
     """Risks, and whether each motion touched."""
-    trials = [trial for file in files for trial in json.loads(pathlib.Path(file).read_text())["trials"]]
+    trials = [trial for file in files for trial in read_result(file)["trials"]]
     motions = [motion for trial in trials for motion in trial["motions"]]
     if not motions:
         raise ValueError("there is no planned motion in the results")
@@ -88,7 +87,7 @@ def main():
         print(f"plot_reliability.py: no results of planned motions: {error!r}", file=sys.stderr)
         return 1
     figure, error = draw(risk, touched)
-    figure.savefig(options.output, dpi=120)
+    save_picture(figure, options.output, dpi=120)
     print(f"{len(risk)} motions, {touched.mean():.3f} touched, mean risk {risk.mean():.3f}, "
           f"expected calibration error {error:.3f}")
     print("log-loss {:.3f}, of the base rate {:.3f}".format(*log_losses(risk, touched)))

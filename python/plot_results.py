@@ -9,8 +9,6 @@ cross is a trial that did not reach the goal: it is in no mean. Files of one met
 the paper's own scene dashed lines are its counts.
 """
 import argparse
-import json
-import pathlib
 import sys
 
 import matplotlib
@@ -18,6 +16,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from user_files import read_result, save_picture
 
 # Section IV of the paper: object with two pegs, mean of ten trials.
 PAPER_SCENE = "s_shape_two_pegs"
@@ -44,7 +43,7 @@ def read(files):
     """Trials by method, and the scenarios' names."""
     trials, scenarios = {}, []
     for file in files:
-        result = json.loads(pathlib.Path(file).read_text())
+        result = read_result(file)
         trials.setdefault(result["method"], []).extend(result["trials"])
         if result["scenario"] not in scenarios:
             scenarios.append(result["scenario"])
@@ -110,7 +109,7 @@ def main():
         sys.exit(f"plot_results: {problem}")
     if not any(trials.values()):
         sys.exit("plot_results: no trial in these files")
-    draw(trials, options.title or ", ".join(scenarios), scenarios).savefig(options.output, dpi=160)
+    save_picture(draw(trials, options.title or ", ".join(scenarios), scenarios), options.output, dpi=160)
     print(options.output)
 
 

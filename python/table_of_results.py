@@ -5,11 +5,11 @@
     table_of_results.py RESULT.json [RESULT.json ...]
 """
 import collections
-import json
 import pathlib
 import sys
 
 from table_of_scores import number
+from user_files import read_result
 
 
 def key(result):
@@ -30,14 +30,11 @@ def row(result, name):
 
 
 def main():
-    missing = [name for name in sys.argv[1:] if not pathlib.Path(name).is_file()]
-    if missing:
-        sys.exit(f"{missing[0]}: there is no such file")
     if len(sys.argv) < 2:
         sys.exit("usage: table_of_results.py RESULT.json [RESULT.json ...]")
+    results = {name: read_result(name) for name in sys.argv[1:]}
     print("| scene | method | mean | median | least | most | at the goal | s a plan |")
     print("|---|---|---|---|---|---|---|---|")
-    results = {name: json.loads(pathlib.Path(name).read_text()) for name in sys.argv[1:]}
     alike = collections.Counter(map(key, results.values()))
     for name, result in results.items():
         print(row(result, pathlib.Path(name).stem if alike[key(result)] > 1 else ""))

@@ -73,8 +73,7 @@ std::string Retrieval::missedGoal() const {
   const Pose end = robot_->pose();
   std::ostringstream text;
   text << "the robot ended " << missed_ << " motions in a row beside the goal, the last one "
-       << distanceBetween(end, parameters_.goal) << " m and "
-       << angleBetween(end, parameters_.goal)
+       << distanceBetween(end, parameters_.goal) << " m and " << angleBetween(end, parameters_.goal)
        << " rad away; the goal_tolerance must be wider than the robot is accurate";
   return text.str();
 }

@@ -99,7 +99,8 @@ class PlotsTest(unittest.TestCase):
         files = []
         for name, motions in (("calibrated", sure + even), ("wrong", wrong)):
             files.append(self.folder / f"{name}.json")
-            files[-1].write_text(json.dumps({"trials": [{"motions": motions}]}))
+            content = {"scenario": "scene", "method": "smore", "trials": [{"motions": motions}]}
+            files[-1].write_text(json.dumps(content))
         picture = self.folder / "reliability.png"
         result = run("plot_reliability.py", files[0], "--output", picture)
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -111,17 +112,31 @@ class PlotsTest(unittest.TestCase):
 
     def test_results_without_motions_are_an_error(self):
         other = self.folder / "empty.json"
-        other.write_text('{"trials": []}')
+        other.write_text('{"scenario": "scene", "method": "smore", "trials": []}')
         result = run("plot_reliability.py", other, "--output", self.folder / "no.png")
         self.assertEqual(result.returncode, 1)
         self.assertNotIn("Traceback", result.stderr)
 
     def test_a_file_that_is_no_result_is_an_error(self):
         other = self.folder / "other.json"
-        other.write_text("{}")
-        result = run("plot_results.py", other, "--output", self.folder / "no.png")
-        self.assertEqual(result.returncode, 1)
-        self.assertNotIn("Traceback", result.stderr)
+        for content in ("{}", "name: scene"):
+            other.write_text(content)
+            for program in ("plot_results.py", "plot_reliability.py"):
+                result = run(program, other, "--output", self.folder / "no.png")
+                self.assertEqual(result.returncode, 1)
+                self.assertIn("other.json: no result of smore_experiment", result.stderr)
+                self.assertNotIn("Traceback", result.stderr)
+            self.assertIn("no result of", run("table_of_results.py", other).stderr)
+
+    def test_a_name_that_is_no_pictures_is_an_error(self):
+        good = self.folder / "good.json"
+        trials = [{"success": True, "collisions": 3}]
+        good.write_text(json.dumps({"scenario": "scene", "method": "smore", "trials": trials}))
+        for name, words in (("good.yaml", "no kind of picture"), ("none/good.png", "cannot be written")):
+            result = run("plot_results.py", good, "--output", self.folder / name)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn(words, result.stderr)
+            self.assertNotIn("Traceback", result.stderr)
 
 
 if __name__ == "__main__":
