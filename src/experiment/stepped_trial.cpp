@@ -44,6 +44,10 @@ void checkAction(const Eigen::VectorXd& action, int dimensions) {
 SteppedTrial::SteppedTrial(const Scenario& scenario, std::uint64_t seed,
                            std::optional<MethodKind> maps) {
   requireScene(scenario);
+  if (scenario.task != Task::kRetrieve) {
+    throw InputError("scenario " + scenario.name +
+                     ": task: a trial in steps ends at a goal; give a scenario to retrieve");
+  }
   scene_ = perturbScenario(scenario, seed);
   simulated_ = makeSimulatedRobot(scene_, seed);
   if (maps) maps_ = mapsOf(*maps, scenario, scene_, seed);

@@ -53,6 +53,7 @@ Scenario perturbScenario(const Scenario& scenario, std::uint64_t seed) {
     SceneCheck check(perturbed);
     if (!check.touches(perturbed.start) && !check.touches(perturbed.goal)) return perturbed;
   }
+  checkStartAndGoalFree(scenario);  // says which, where no perturbation is at fault
   throw InputError("scenario " + scenario.name +
                    ": perturb: start or goal touched the environment " + "in each of " +
                    std::to_string(kMaxDraws) +

@@ -197,5 +197,11 @@ TEST(SteppedTrialTest, refusesATaskWithoutAScene) {
   EXPECT_THROW(SteppedTrial(task, 1), InputError);
 }
 
+TEST(SteppedTrialTest, refusesATaskWithoutAGoal) {
+  Scenario scene = fork();
+  scene.task = Task::kReconstruct;
+  EXPECT_THROW(SteppedTrial(scene, 1), InputError);
+}
+
 }  // namespace
 }  // namespace smore

@@ -180,8 +180,8 @@ class GuardNode(unittest.TestCase):
         self.stopped_because("the wrench has been the same")
 
     def test_stamps_of_long_ago_are_a_fault_at_rest(self):
-        self.driver.age = 5.0
-        self.stopped_because("no wrench younger")
+        self.driver.age = 5.0  # of both streams, in whichever order they are sent
+        self.stopped_because("younger than")
 
     def test_contact_observations_that_stay_out_are_a_fault_at_rest(self):
         self.driver.contacts = False

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -65,6 +66,24 @@ TEST_F(ConvexParts, ofBarsAreTheBars) {
     volume += std::abs(signedVolume(std::get<MeshShape>(solid.geometry)));
   }
   EXPECT_GE(volume, signedVolume(s) - 1e-9) << "the parts cover the solid";
+}
+
+// Few large triangles, and cut at other diagonals where it is mirrored.
+TEST_F(ConvexParts, ofMirroredBarsAreTheBarsToo) {
+  for (const double mirrored : {1.0, -1.0}) {
+    const double w = 0.05 * mirrored;
+    std::vector<Eigen::Vector2d> u = {{-w, -0.05},      {w, -0.05},       {w, 0.05},
+                                      {0.6 * w, 0.05},  {0.6 * w, -0.03}, {-0.6 * w, -0.03},
+                                      {-0.6 * w, 0.05}, {-w, 0.05}};
+    std::vector<Eigen::Vector2d> l = {{-w, -0.05},       {w, -0.05},       {w, -0.04},
+                                      {-0.8 * w, -0.04}, {-0.8 * w, 0.05}, {-w, 0.05}};
+    for (auto* outline : {&u, &l}) {
+      if (mirrored < 0.0) std::reverse(outline->begin(), outline->end());
+      const MeshShape mesh = object(prismObj(*outline, 0.02, true));
+      EXPECT_GE(mesh.parts.size(), 2u);
+      EXPECT_LT(mesh.parts_error, 0.001);
+    }
+  }
 }
 
 TEST_F(ConvexParts, aConvexMeshHasNone) { EXPECT_TRUE(object(cubeObj()).parts.empty()); }

@@ -82,12 +82,26 @@ TEST(Perturbation, givesUpWithAReason) {
   const Shape wall{BoxShape{Vec3(0.1, 2, 2)}, Pose::Identity()};
   Scenario scenario = sceneOf(sShape(), {wall});
   scenario.goal = Pose::Identity();
-  try {
-    perturbScenario(scenario, 1);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("lower perturb.position"), std::string::npos);
+  const auto problemOf = [](const Scenario& asked) -> std::string {
+    try {
+      perturbScenario(asked, 1);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(problemOf(scenario).find("goal: the object touches"), std::string::npos)
+      << "without any perturbation";
+  // In a frame with 0.3 mm to spare.
+  std::vector<Shape> frame;
+  for (const double side : {-1.0, 1.0}) {
+    frame.push_back({BoxShape{Vec3(0.1, 1, 1)}, makePose(Vec3(0.1003 * side, 0, 0))});
+    frame.push_back({BoxShape{Vec3(1, 0.1, 1)}, makePose(Vec3(0, 0.1003 * side, 0))});
   }
+  Scenario tight = sceneOf({{BoxShape{Vec3(0.1, 0.1, 0.1)}, Pose::Identity()}}, frame);
+  tight.start = tight.goal = Pose::Identity();
+  tight.perturb = {0.09, 0.0};
+  EXPECT_NE(problemOf(tight).find("lower perturb.position"), std::string::npos);
 }
 
 TEST(StartAndGoal, areNamedWhereTheyTouch) {
