@@ -71,14 +71,14 @@ MeshShape withSplitTriangles(const MeshShape& mesh) {
   MeshShape split;
   split.vertices = mesh.vertices;
   std::map<std::pair<int, int>, int> middles;
-  const auto middleOf = [&](int a, int b) {
+  const auto halfway = [&](int a, int b) {
     const auto entry = middles.emplace(std::minmax(a, b), static_cast<int>(split.vertices.size()));
     if (entry.second) split.vertices.push_back(0.5 * (mesh.vertices[a] + mesh.vertices[b]));
     return entry.first->second;
   };
   for (const Eigen::Vector3i& corners : mesh.triangles) {
-    const Eigen::Vector3i middle(middleOf(corners[0], corners[1]), middleOf(corners[1], corners[2]),
-                                 middleOf(corners[2], corners[0]));
+    const Eigen::Vector3i middle(halfway(corners[0], corners[1]), halfway(corners[1], corners[2]),
+                                 halfway(corners[2], corners[0]));
     split.triangles.push_back(middle);
     split.triangles.emplace_back(corners[0], middle[0], middle[2]);
     split.triangles.emplace_back(corners[1], middle[1], middle[0]);
