@@ -3,6 +3,8 @@
 
 #include <topic_tools/shape_shifter.h>
 
+#include <algorithm>
+
 #include "smore/ros/names.h"
 
 namespace smore {
@@ -11,6 +13,9 @@ namespace {
 // A controller that runs tells its state far more often, and a motion that it does not follow has
 // not come far by then [s of wall time].
 constexpr double kSilence = 0.3;
+
+// Between looks whether anybody tells it [s of wall time]: who has just come has not told it yet.
+constexpr double kLookPeriod = 0.1;
 
 }  // namespace
 
@@ -26,6 +31,11 @@ ControllerWatch::ControllerWatch(ros::CallbackQueue* queue, const ros::Publisher
   state_ = node_.subscribe<topic_tools::ShapeShifter>(names::kControllerState, names::kLatestQueue,
                                                       on_state, ros::VoidConstPtr(),
                                                       ros::TransportHints().tcpNoDelay());
+  looks_ = node_.createSteadyTimer(ros::WallDuration(kLookPeriod),
+                                   [this](const ros::SteadyTimerEvent& /*event*/) {
+                                     if (state_.getNumPublishers() == 0)
+                                       nobody_at_ = ros::SteadyTime::now().toSec();
+                                   });
 }
 
 std::string ControllerWatch::problem(double now) const {
@@ -35,7 +45,7 @@ std::string ControllerWatch::problem(double now) const {
            "; is the robot's driver up, and its controller loaded (controller_manager/"
            "list_controllers)?";
   }
-  const bool silent = now - last_state_ > kSilence;
+  const bool silent = now - std::max(last_state_, nobody_at_) > kSilence;
   if (state_.getNumPublishers() > 0 && silent) {
     return "the controller that gets the commands on " + commands +
            " is loaded but does not run: nothing comes on '" + state_.getTopic() +

@@ -26,7 +26,9 @@ class ControllerWatch {
   ros::NodeHandle node_;
   ros::Publisher commands_;
   double last_state_ = ros::SteadyTime::now().toSec();
+  double nobody_at_ = last_state_;  ///< when nobody told the state, for the last time
   ros::Subscriber state_;
+  ros::SteadyTimer looks_;
 };
 
 }  // namespace smore
