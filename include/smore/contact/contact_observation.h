@@ -26,7 +26,8 @@ struct WrenchSample {
 };
 
 /// No robot's object is farther from the world's origin, on any axis [m]: a pose beyond comes from
-/// a fault. The choice is ours: room for frames of surveys, and within the lattices of all maps.
+/// a fault. The choice is ours: room for frames of surveys. Maps of small voxels end nearer, and
+/// leave out what is beyond them.
 constexpr double kFarthestPlace = 1e4;
 
 /// What touch says about the pose at one instant.
