@@ -20,6 +20,22 @@ Pose makePose(const Vec3& position, const Vec3& rpy) {
   return pose;
 }
 
+Vec3 rollPitchYaw(const Pose& pose) {
+  // Rz(yaw) Ry(pitch) Rx(roll); where cos(pitch) vanishes only yaw - roll is defined.
+  const Eigen::Matrix3d& R = pose.linear();
+  const double cos_pitch = std::hypot(R(0, 0), R(1, 0));
+  const double pitch = std::atan2(-R(2, 0), cos_pitch);
+  constexpr double kSingular = 1e-9;
+  if (cos_pitch < kSingular) return {0.0, pitch, std::atan2(-R(0, 1), R(1, 1))};
+  return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
+}
+
+Eigen::Matrix3d crossMatrix(const Vec3& v) {
+  Eigen::Matrix3d matrix;
+  matrix << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return matrix;
+}
+
 Pose projectedToPlane(const Pose& pose) {
   const Eigen::Matrix3d& turn = pose.linear();
   const double angle = std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1));

@@ -22,12 +22,6 @@ constexpr double kMostTorqueResidual = 0.1;  // [N m]
 constexpr double kWorthALook = 0.25;
 constexpr double kClearlyBetter = 3.0;
 
-Eigen::Matrix3d crossMatrix(const Vec3& v) {
-  Eigen::Matrix3d matrix;
-  matrix << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return matrix;
-}
-
 struct Fit {
   Vec3 bias;
   Eigen::VectorXd unknowns;

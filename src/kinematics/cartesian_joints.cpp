@@ -2,20 +2,9 @@
 #include "smore/kinematics/cartesian_joints.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace smore {
 namespace {
-
-Vec3 rollPitchYaw(const Pose& pose) {
-  // Rz(yaw) Ry(pitch) Rx(roll); where cos(pitch) vanishes only yaw - roll is defined and roll is 0.
-  const Eigen::Matrix3d& R = pose.linear();
-  const double cos_pitch = std::hypot(R(0, 0), R(1, 0));
-  const double pitch = std::atan2(-R(2, 0), cos_pitch);
-  constexpr double kSingular = 1e-9;
-  if (cos_pitch < kSingular) return {0.0, pitch, std::atan2(-R(0, 1), R(1, 1))};
-  return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
-}
 
 // For each Cartesian joint its place in the trajectory's list of names.
 Result<std::vector<size_t>> jointOrder(const std::vector<std::string>& names) {

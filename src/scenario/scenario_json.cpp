@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/scenario/scenario_json.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "smore/common/json_fields.h"
@@ -11,15 +10,8 @@
 namespace smore {
 namespace {
 
-// Roll, pitch and yaw of makePose.
-Vec3 rollPitchYaw(const Eigen::Matrix3d& r) {
-  return {std::atan2(r(2, 1), r(2, 2)), std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0))),
-          std::atan2(r(1, 0), r(0, 0))};
-}
-
 Json poseJson(const Pose& pose) {
-  return {{"position", toJson(Vec3(pose.translation()))},
-          {"rpy", toJson(rollPitchYaw(pose.linear()))}};
+  return {{"position", toJson(Vec3(pose.translation()))}, {"rpy", toJson(rollPitchYaw(pose))}};
 }
 
 struct GeometryToJson {

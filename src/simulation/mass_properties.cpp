@@ -7,12 +7,6 @@
 namespace smore {
 namespace {
 
-Eigen::Matrix3d crossMatrix(const Vec3& v) {
-  Eigen::Matrix3d matrix;
-  matrix << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return matrix;
-}
-
 // Inertia about a point at `offset` from the centre of mass, less that about the centre of mass.
 Eigen::Matrix3d parallelAxis(double mass, const Vec3& offset) {
   return -mass * crossMatrix(offset) * crossMatrix(offset);

@@ -15,6 +15,21 @@ TEST(MakePose, turnsAboutFixedAxesInTheOrderRollPitchYaw) {
   EXPECT_TRUE((pose * Vec3(1, 0, 0)).isApprox(Vec3(1, 3, 3), 1e-12));
 }
 
+TEST(RollPitchYaw, MakeThePoseThatTheyAreOf) {
+  for (const double pitch : {-M_PI_2, -0.7, 0.0, 1.2, M_PI_2}) {
+    const Pose pose = makePose({0, 0, 0}, {0.4, pitch, -0.9});
+    const Vec3 rpy = rollPitchYaw(pose);
+    EXPECT_NEAR(rpy.y(), pitch, 1e-6);
+    EXPECT_TRUE(makePose({0, 0, 0}, rpy).isApprox(pose, 1e-6)) << pitch;
+  }
+}
+
+TEST(CrossMatrix, TimesAVectorIsTheCrossProduct) {
+  const Vec3 v(0.3, -1.2, 0.5);
+  const Vec3 w(-0.7, 0.1, 2.0);
+  EXPECT_TRUE((crossMatrix(v) * w).isApprox(v.cross(w), 1e-12));
+}
+
 TEST(Interpolate, isHalfWayInPositionAndAngle) {
   const Pose a = makePose(Vec3(0, 0, 0));
   const Pose b = makePose(Vec3(2, 0, 0), Vec3(0, 0, 1.0));

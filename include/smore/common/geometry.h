@@ -45,6 +45,13 @@ constexpr int kCorners = 8;  ///< of a box
 /// in this order (the URDF convention).
 Pose makePose(const Vec3& position, const Vec3& rpy = Vec3::Zero());
 
+/// Roll, pitch and yaw [rad] that makePose turns by, the pitch within a quarter turn. At a quarter
+/// turn, where one of the other two is free, roll is 0.
+Vec3 rollPitchYaw(const Pose& pose);
+
+/// The matrix that takes a vector to its cross product with `v`: v x w = crossMatrix(v) w.
+Eigen::Matrix3d crossMatrix(const Vec3& v);
+
 /// The same angle in [-pi, pi] [rad].
 inline double wrapped(double angle) { return std::remainder(angle, 2.0 * M_PI); }
 
