@@ -10,10 +10,11 @@
 #include <iostream>
 #include <sstream>
 
+#include "smore/common/output_directory.h"
 #include "smore/common/result.h"
 #include "smore/experiment/command_line.h"
 #include "smore/experiment/experiment.h"
-#include "smore/experiment/output_paths.h"
+#include "smore/experiment/output_file.h"
 #include "smore/experiment/program_main.h"
 #include "smore/experiment/progress_display.h"
 #include "smore/mapping/prior_maps.h"

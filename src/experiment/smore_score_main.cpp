@@ -7,7 +7,7 @@
 #include "smore/common/result.h"
 #include "smore/common/version.h"
 #include "smore/experiment/command_line.h"
-#include "smore/experiment/output_paths.h"
+#include "smore/experiment/output_file.h"
 #include "smore/experiment/program_main.h"
 #include "smore/experiment/score_report.h"
 

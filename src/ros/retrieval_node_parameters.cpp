@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "retrieval_node_parameters.h"
 
-#include <unistd.h>
-
 #include <filesystem>
-#include <system_error>
 
+#include "smore/common/output_directory.h"
 #include "smore/ros/arm_description.h"
 #include "smore/ros/parameter_source.h"
 
 namespace smore {
-namespace {
-
-// Asked before the robot moves: what a run learnt must not be lost at its end.
-bool canWriteInto(const std::string& directory) {
-  std::error_code problem;
-  std::filesystem::create_directories(directory, problem);
-  return !problem && access(directory.c_str(), W_OK) == 0;
-}
-
-}  // namespace
 
 RetrievalNodeParameters readRetrievalParameters(ParameterReader* reader) {
   RetrievalNodeParameters parameters;
@@ -38,9 +26,10 @@ RetrievalNodeParameters readRetrievalParameters(ParameterReader* reader) {
   if (reader->has("output")) reader->text("output", &parameters.output);
   if (!parameters.output.empty() && !std::filesystem::path(parameters.output).is_absolute()) {
     reader->error("output", "'" + parameters.output + "' is not an absolute path; give one");
-  } else if (!parameters.output.empty() && !canWriteInto(parameters.output)) {
-    reader->error("output", "'" + parameters.output +
-                                "' cannot be made or written to; give a directory that can");
+  } else if (!parameters.output.empty()) {
+    // Asked before the robot moves: what a run learnt must not be lost at its end.
+    const std::string problem = problemOfDirectory(parameters.output);
+    if (!problem.empty()) reader->error("output", problem);
   }
   return parameters;
 }

@@ -6,9 +6,9 @@
 #include <iostream>
 
 #include "bag_evidence.h"
+#include "smore/common/output_directory.h"
 #include "smore/common/result.h"
 #include "smore/experiment/command_line.h"
-#include "smore/experiment/output_paths.h"
 #include "smore/experiment/program_main.h"
 #include "smore/experiment/rebuild.h"
 

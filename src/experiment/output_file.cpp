@@ -1,20 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "smore/experiment/output_paths.h"
+#include "smore/experiment/output_file.h"
 
 #include <filesystem>
 #include <fstream>
 
 namespace smore {
-
-std::string problemOfDirectory(const std::string& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) return directory + ": cannot be made: " + error.message();
-  const std::filesystem::path probe = std::filesystem::path(directory) / ".smore_write_test";
-  if (!std::ofstream(probe)) return directory + ": cannot be written; check its permissions";
-  std::filesystem::remove(probe, error);
-  return "";
-}
 
 std::string problemOfFile(const std::string& file, const std::vector<std::string>& inputs) {
   if (std::filesystem::path(file).extension() == ".evidence") {
