@@ -3,11 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace smore {
 
 bool Bounds::contains(const Vec3& point) const {
   return (point.array() >= min.array()).all() && (point.array() <= max.array()).all();
+}
+
+std::string describe(const Vec3& point) {
+  std::ostringstream text;
+  text << "(" << point.x() << " " << point.y() << " " << point.z() << ")";
+  return text.str();
 }
 
 Pose makePose(const Vec3& position, const Vec3& rpy) {

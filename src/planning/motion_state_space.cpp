@@ -176,10 +176,4 @@ void MotionStateSpace::fromPose(const Pose& T_world_object, ob::State* state) co
   spatial->rotation().w = turn.w();
 }
 
-bool MotionStateSpace::isInWorkspace(const Pose& T_world_object) const {
-  const Vec3 slack = Vec3::Constant(kRounding);
-  return Bounds{space_.workspace.min - slack, space_.workspace.max + slack}.contains(
-      T_world_object.translation());
-}
-
 }  // namespace smore

@@ -24,9 +24,6 @@ class MotionStateSpace {
   /// Planar: the pose's projection into the plane.
   void fromPose(const Pose& T_world_object, ompl::base::State* state) const;
 
-  /// Whether the origin is in the workspace, to rounding.
-  bool isInWorkspace(const Pose& T_world_object) const;
-
  private:
   bool isPlanar() const { return space_.motion == Motion::kPlanar; }
 

@@ -28,9 +28,6 @@ namespace og = ompl::geometric;
 // Poses nearer than this [m + rad] are one pose but for rounding.
 constexpr double kSamePose = 1e-9;
 
-// A goal nearer to the plane of motion than this [m + rad] lies in it, as MotionSpace::contains.
-constexpr double kInPlane = 1e-6;
-
 void silenceOmpl() {
   static std::once_flag silenced;
   std::call_once(silenced, [] { ompl::msg::noOutputHandler(); });
@@ -109,9 +106,9 @@ class Search {
       : space_(space),
         parameters_(parameters),
         information_(std::make_shared<ob::SpaceInformation>(space.ompl())) {
-    information_->setStateValidityChecker([&space, &valid](const ob::State* state) {
+    information_->setStateValidityChecker([&space, &allowed, &valid](const ob::State* state) {
       const Pose pose = space.toPose(state);
-      return space.isInWorkspace(pose) && valid(pose);
+      return allowed.inWorkspace(pose) && valid(pose);
     });
     information_->setMotionValidator(
         std::make_shared<CallerMotionValidator>(information_, space, allowed, motion_valid));
@@ -182,23 +179,14 @@ class Search {
   ob::PlannerPtr planner_;
 };
 
-std::string describe(const Vec3& point) {
-  std::ostringstream text;
-  text << "(" << point.x() << " " << point.y() << " " << point.z() << ")";
-  return text.str();
-}
-
 /// Why a pose cannot begin or end a path; empty where it can.
 std::string refusal(const std::string& name, const Pose& pose, const MotionSpace& space,
-                    const MotionStateSpace& states, const StateValidity& valid) {
+                    const StateValidity& valid) {
   if (!isFinite(pose)) return "the " + name + " is not finite";
-  const std::string where = describe(pose.translation());
-  if (!states.isInWorkspace(pose)) {
-    return "the " + name + " " + where + " is outside of the workspace " +
-           describe(space.workspace.min) + " to " + describe(space.workspace.max);
-  }
-  if (!valid(pose)) return "the " + name + " " + where + " is in collision";
-  return "";
+  const std::string outside = space.whyOutside(pose);
+  if (!outside.empty()) return "the " + name + " " + outside;
+  if (valid(pose)) return "";
+  return "the " + name + " " + describe(pose.translation()) + " is in collision";
 }
 
 void check(const PathPlannerParameters& parameters) {
@@ -228,17 +216,13 @@ Result<Path> PathPlanner::plan(const Pose& start, const Pose& goal, const StateV
                                const MotionValidity& motion_valid) {
   silenceOmpl();
   tree_.clear();
-  const MotionStateSpace states(space_, seed_);
   for (const auto& [name, pose] :
        {std::make_pair("start", space_.moved(start)), std::make_pair("goal", goal)}) {
-    const std::string reason = refusal(name, pose, space_, states, valid);
+    const std::string reason = refusal(name, pose, space_, valid);
     if (!reason.empty()) return Failure{reason};
   }
-  if (gapBetween(goal, space_.moved(goal)) > kInPlane) {
-    return Failure{"the goal " + describe(goal.translation()) +
-                   " does not lie in the plane of motion"};
-  }
   if (gapBetween(start, goal) <= kSamePose) return Path{start, goal};
+  const MotionStateSpace states(space_, seed_);
   Search search(states, parameters_, seed_, space_, valid, motion_valid);
   Result<Path> path = search.run(start, goal);
   if (keep_tree_) tree_ = search.tree();

@@ -2,18 +2,23 @@
 #include "smore/scenario/motion_space.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace smore {
 namespace {
 
-std::string describe(const Vec3& point) {
-  std::ostringstream text;
-  text << "(" << point.x() << " " << point.y() << " " << point.z() << ")";
-  return text.str();
-}
+// Rounding of a tilted plane's coordinates; far below any tolerance of a robot [m].
+constexpr double kRounding = 1e-9;
 
 double yawOf(const Pose& pose) { return std::atan2(pose.linear()(1, 0), pose.linear()(0, 0)); }
+
+bool inPlane(const MotionSpace& space, const Pose& T_world_object) {
+  if (space.motion == Motion::kSpatial) return true;
+  constexpr double kTolerance = 1e-6;
+  const Pose T_plane_object = space.T_world_plane.inverse() * T_world_object;
+  const bool in_plane = std::abs(T_plane_object.translation().z()) <= kTolerance;
+  const bool upright = (T_plane_object.linear().col(2) - Vec3::UnitZ()).norm() <= kTolerance;
+  return in_plane && upright;
+}
 
 }  // namespace
 
@@ -30,23 +35,23 @@ bool MotionSpace::allowsTurn(const Pose& T_world_from, const Pose& T_world_to) c
 }
 
 bool MotionSpace::contains(const Pose& T_world_object) const {
-  if (!workspace.contains(T_world_object.translation())) return false;
-  if (motion == Motion::kSpatial) return true;
-  constexpr double kTolerance = 1e-6;
-  const Pose T_plane_object = T_world_plane.inverse() * T_world_object;
-  const bool in_plane = std::abs(T_plane_object.translation().z()) <= kTolerance;
-  const bool upright = (T_plane_object.linear().col(2) - Vec3::UnitZ()).norm() <= kTolerance;
-  return in_plane && upright;
+  return workspace.contains(T_world_object.translation()) && inPlane(*this, T_world_object);
+}
+
+bool MotionSpace::inWorkspace(const Pose& T_world_object) const {
+  const Vec3 slack = Vec3::Constant(kRounding);
+  return Bounds{workspace.min - slack, workspace.max + slack}.contains(
+      T_world_object.translation());
 }
 
 std::string MotionSpace::whyOutside(const Pose& T_world_object) const {
-  if (contains(T_world_object)) return "";
   const Vec3 position = T_world_object.translation();
-  if (workspace.contains(position)) {
-    return describe(position) + " does not lie in the plane of motion";
+  if (!inWorkspace(T_world_object)) {
+    return describe(position) + " is outside of the workspace " + describe(workspace.min) + " to " +
+           describe(workspace.max);
   }
-  return describe(position) + " is outside of the workspace " + describe(workspace.min) + " to " +
-         describe(workspace.max);
+  if (inPlane(*this, T_world_object)) return "";
+  return describe(position) + " does not lie in the plane of motion";
 }
 
 }  // namespace smore

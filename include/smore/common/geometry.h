@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace smore {
@@ -38,6 +39,9 @@ struct Bounds {
             (index & 4) != 0 ? max.z() : min.z()};
   }
 };
+
+/// A point as "(x y z)", for the user.
+std::string describe(const Vec3& point);
 
 constexpr int kCorners = 8;  ///< of a box
 

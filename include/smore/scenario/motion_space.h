@@ -32,7 +32,12 @@ struct MotionSpace {
   /// straight motion may join them.
   bool allowsTurn(const Pose& T_world_from, const Pose& T_world_to) const;
 
-  /// Why it does not contain the pose, in words for the user; empty where it does.
+  /// Whether the origin is in the workspace, or outside by no more than what rounding does to the
+  /// coordinates of a tilted plane.
+  bool inWorkspace(const Pose& T_world_object) const;
+
+  /// Why it does not contain the pose, in words for the user; empty where it does, or does but for
+  /// rounding.
   std::string whyOutside(const Pose& T_world_object) const;
 };
 
