@@ -54,9 +54,9 @@ DrawnEvidence EvidenceAtUnit::draw(const KnownPieces& known, std::uint64_t seed)
 UnitEvidence EvidenceAtUnit::evidenceOf(const std::vector<JointSample>& samples,
                                         std::size_t contacts, double widest) const {
   const auto too_far = static_cast<int>(contacts - contacts_.size());
-  const TouchScales scales{parameters_.distribution.object.scale, parameters_.feature.reach, widest,
-                           frame_.planar()};
-  return {costOf(samples, too_far), objectAgreement(contacts_, samples, scales, too_far)};
+  const TouchLengths lengths{parameters_.distribution.object.scale, parameters_.feature.reach,
+                             widest, frame_.planar()};
+  return {costOf(samples, too_far), objectAgreement(contacts_, samples, lengths, too_far)};
 }
 
 double EvidenceAtUnit::costOf(const std::vector<JointSample>& samples,

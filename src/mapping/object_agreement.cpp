@@ -16,11 +16,11 @@ double evenDensity(double reach, bool planar) {
 // The touches on the object in one sample; those before it foresee the next one.
 class ForeseenTouches {
  public:
-  explicit ForeseenTouches(const TouchScales& scales)
-      : spread_(scales.spread),
-        peak_(scales.planar ? 1.0 / (kPi * spread_ * spread_)
-                            : 1.0 / (kPi * kPi * spread_ * spread_ * spread_)),
-        anywhere_(evenDensity(scales.reach, scales.planar)) {}
+  explicit ForeseenTouches(const TouchLengths& lengths)
+      : spread_(lengths.spread),
+        peak_(lengths.planar ? 1.0 / (kPi * spread_ * spread_)
+                             : 1.0 / (kPi * kPi * spread_ * spread_ * spread_)),
+        anywhere_(evenDensity(lengths.reach, lengths.planar)) {}
 
   /// Log density of the next touch, which then foresees others.
   double add(const Eigen::Vector3f& touch) {
@@ -44,12 +44,12 @@ class ForeseenTouches {
 }  // namespace
 
 double objectAgreement(const std::vector<ContactHypotheses>& contacts,
-                       const std::vector<JointSample>& samples, const TouchScales& scales,
+                       const std::vector<JointSample>& samples, const TouchLengths& lengths,
                        int elsewhere) {
-  const double of_false_contact = std::log(evenDensity(scales.widest, scales.planar));
+  const double of_false_contact = std::log(evenDensity(lengths.widest, lengths.planar));
   double sum = 0.0;
   for (const JointSample& sample : samples) {
-    ForeseenTouches touches(scales);
+    ForeseenTouches touches(lengths);
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       const int i = sample.places[k];
       sum += i == kFalseContact ? of_false_contact : touches.add(contacts[k].object.at(i));

@@ -54,7 +54,7 @@ class EvidenceAtUnit {
   DrawnEvidence draw(const KnownPieces& known, std::uint64_t seed) const;
 
   /// What the draws say of the unit, on average. Of all `contacts` those whose lines pass too far
-  /// from the hand for it are false. `widest`: as in TouchScales.
+  /// from the hand for it are false. `widest`: as in TouchLengths.
   UnitEvidence evidenceOf(const std::vector<JointSample>& samples, std::size_t contacts,
                           double widest) const;
 

@@ -9,8 +9,8 @@
 namespace smore {
 
 /// Where a touch on the object is expected.
-struct TouchScales {
-  double spread;  ///< around an earlier one: scale of Student's t [m], positive
+struct TouchLengths {
+  double spread;  ///< around an earlier one: breadth of Student's t [m], positive
   double reach;   ///< from the hand, where nothing foresees it [m], positive
   double widest;  ///< from the hand, where the contact is held to be false: the same for all units
                   ///< of length that are compared [m], positive
@@ -23,7 +23,7 @@ struct TouchScales {
 /// that are held to be false, and the `elsewhere` that the samples know nothing of, say nothing of
 /// the object.
 double objectAgreement(const std::vector<ContactHypotheses>& contacts,
-                       const std::vector<JointSample>& samples, const TouchScales& scales,
+                       const std::vector<JointSample>& samples, const TouchLengths& lengths,
                        int elsewhere);
 
 }  // namespace smore

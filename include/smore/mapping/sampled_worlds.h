@@ -35,8 +35,8 @@ class SampledWorlds {
   /// By their units, the smallest first.
   const std::vector<WorldsAtUnit>& parts() const { return parts_; }
 
-  /// The least distance of two balls' centres at which they touch in some world [m]; 0 where there
-  /// is no world with matter.
+  /// The distance of two touched balls' centres at which they touch [m], in the worlds of the
+  /// smallest unit. The unit tells it, before there is matter too; 0 where there are no parts.
   double contactDistance() const { return parts_.empty() ? 0.0 : parts_.front().contactDistance(); }
 
  private:

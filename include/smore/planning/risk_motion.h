@@ -34,7 +34,8 @@ struct MotionCost {
 
 /// How far apart motions are checked [m]: between two checks no matter moves farther than a share
 /// of the distance at which two balls touch, on each of the two ways to move it, so that it cannot
-/// pass through another unseen. Infinite where there is no matter.
+/// pass through another unseen. Infinite for worlds without parts; those that hold no matter yet
+/// have a unit, by which they are checked.
 double checkDistance(const SampledWorlds& worlds);
 
 /// Straight motions in the sampled worlds and the metric in which the search measures them.
