@@ -21,40 +21,29 @@ octomap::OcTreeKey treeKey(const VoxelKey& key) {
           static_cast<octomap::key_type>(key.z + kKeyOrigin)};
 }
 
-// OctoMap's default clamping (0.12 to 0.97) would alter most values of these maps.
-constexpr double kMinProbability = 1e-6;
-constexpr double kMaxProbability = 1.0 - 1e-6;
-
-template <typename Keep>
-std::unique_ptr<octomap::OcTree> makeTree(const VoxelGrid& grid, Keep keep) {
-  auto tree = std::make_unique<octomap::OcTree>(grid.voxelSize());
-  tree->setClampingThresMin(kMinProbability);
-  tree->setClampingThresMax(kMaxProbability);
-  tree->setOccupancyThres(kOccupied);
-  constexpr bool kLazy = true;
-  for (const VoxelGrid::Voxel& voxel : grid.voxels()) {
-    if (!keep(voxel)) continue;
-    tree->setNodeValue(treeKey(voxel.key), octomap::logodds(voxel.probability), kLazy);
-  }
-  tree->updateInnerOccupancy();
-  return tree;
-}
-
-}  // namespace
-
 VoxelKey gridKey(const octomap::OcTreeKey& key) {
   return {static_cast<std::int16_t>(key[0] - kKeyOrigin),
           static_cast<std::int16_t>(key[1] - kKeyOrigin),
           static_cast<std::int16_t>(key[2] - kKeyOrigin)};
 }
 
-std::unique_ptr<octomap::OcTree> toOctree(const VoxelGrid& grid) {
-  return makeTree(grid, [](const VoxelGrid::Voxel&) { return true; });
-}
+// OctoMap's default clamping (0.12 to 0.97) would alter most values of these maps.
+constexpr double kMinProbability = 1e-6;
+constexpr double kMaxProbability = 1.0 - 1e-6;
 
-std::unique_ptr<octomap::OcTree> toOccupiedOctree(const VoxelGrid& grid) {
-  return makeTree(grid,
-                  [](const VoxelGrid::Voxel& voxel) { return voxel.probability >= kOccupied; });
+}  // namespace
+
+std::unique_ptr<octomap::OcTree> toOctree(const VoxelGrid& grid) {
+  auto tree = std::make_unique<octomap::OcTree>(grid.voxelSize());
+  tree->setClampingThresMin(kMinProbability);
+  tree->setClampingThresMax(kMaxProbability);
+  tree->setOccupancyThres(kOccupied);
+  constexpr bool kLazy = true;
+  for (const VoxelGrid::Voxel& voxel : grid.voxels()) {
+    tree->setNodeValue(treeKey(voxel.key), octomap::logodds(voxel.probability), kLazy);
+  }
+  tree->updateInnerOccupancy();
+  return tree;
 }
 
 VoxelGrid fromOctree(const octomap::OcTree& tree) {

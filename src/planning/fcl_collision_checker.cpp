@@ -88,10 +88,6 @@ class FclCollisionChecker::Trees {
   double touching_;  ///< [m]
 };
 
-FclCollisionChecker::FclCollisionChecker(const octomap::OcTree& object,
-                                         const octomap::OcTree& world)
-    : FclCollisionChecker(occupiedVoxels(object), occupiedVoxels(world)) {}
-
 FclCollisionChecker::FclCollisionChecker(const OccupiedVoxels& object, const OccupiedVoxels& world)
     : overlap_(object, world) {
   // An empty tree would make FCL walk all of the other one.

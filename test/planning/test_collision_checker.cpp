@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <octomap/OcTree.h>
 
-#include <memory>
+#include <utility>
 
 #include "smore/planning/collision_checker.h"
 #include "smore/planning/fcl_collision_checker.h"
 #include "smore/planning/grid_collision_checker.h"
+#include "smore/planning/occupied_voxels.h"
 #include "voxel_oracle.h"
 
 namespace smore {
@@ -158,51 +158,7 @@ TYPED_TEST(CollisionCheckerTest, freeMotionsOverlapByNoMoreThanTheDepth) {
   EXPECT_GT(free, 100);
 }
 
-/// Leaves of an octree, with values at and around the limit.
-std::unique_ptr<octomap::OcTree> treeWith(double probability) {
-  auto tree = std::make_unique<octomap::OcTree>(0.03);
-  tree->setClampingThresMin(0.0001);
-  tree->setClampingThresMax(0.9999);
-  const double odds = probability / (1.0 - probability);
-  tree->setNodeValue(0.015, 0.015, 0.015, static_cast<float>(std::log(odds)));
-  return tree;
-}
-
-TEST(FclCollisionCheckerTest, aProbabilityOfExactlyOneHalfIsOccupied) {
-  const auto collides = [](double object, double world) {
-    return FclCollisionChecker(*treeWith(object), *treeWith(world)).inCollision(Pose::Identity());
-  };
-  EXPECT_TRUE(collides(0.5, 0.5));
-  EXPECT_TRUE(collides(0.5, 0.99));
-  EXPECT_TRUE(collides(0.51, 0.5));
-  EXPECT_FALSE(collides(0.4999, 0.99));
-  EXPECT_FALSE(collides(0.5, 0.4999));
-}
-
-TEST(FclCollisionCheckerTest, emptyOctreesAreFree) {
-  const octomap::OcTree empty(0.03);
-  EXPECT_FALSE(FclCollisionChecker(empty, *treeWith(0.9)).inCollision(Pose::Identity()));
-  EXPECT_FALSE(FclCollisionChecker(*treeWith(0.9), empty).inCollision(Pose::Identity()));
-}
-
-TEST(OccupiedVoxelsTest, prunedLeavesAreExpanded) {
-  octomap::OcTree tree(0.1);
-  for (int i = 0; i < 64; ++i) {
-    const Eigen::Vector3i cell(i % 4, i / 4 % 4, -1 - i / 16);
-    const Vec3 center = 0.1 * (cell.cast<double>() + Vec3::Constant(0.5));
-    tree.setNodeValue(center.x(), center.y(), center.z(), 1.0F);
-  }
-  tree.updateInnerOccupancy();
-  tree.prune();
-  ASSERT_LT(tree.getNumLeafNodes(), 64U);
-  OccupiedVoxels voxels = occupiedVoxels(tree);
-  std::sort(voxels.keys.begin(), voxels.keys.end());
-  ASSERT_EQ(voxels.keys.size(), 64U);
-  EXPECT_EQ(voxels.keys.front(), (VoxelKey{0, 0, -4}));
-  EXPECT_EQ(voxels.keys.back(), (VoxelKey{3, 3, -1}));
-}
-
-TEST(OccupiedVoxelsTest, ofAGridAreThoseFromOneHalfOn) {
+TEST(OccupiedVoxelsTest, areThoseFromOneHalfOn) {
   VoxelGrid grid(0.1);
   grid.set({1, 2, 3}, 0.5F);
   grid.set({1, 2, 4}, 0.49F);

@@ -8,8 +8,7 @@
 
 namespace octomap {
 class OcTree;
-class OcTreeKey;
-}  // namespace octomap
+}
 
 namespace smore {
 
@@ -20,13 +19,6 @@ constexpr double kOccupied = 0.5;
 /// (OctoMap stores log odds as float). The clamping thresholds are set so that no stored value is
 /// altered, the inner nodes are up to date, and nothing is pruned.
 std::unique_ptr<octomap::OcTree> toOctree(const VoxelGrid& grid);
-
-/// Octree of the voxels with P >= kOccupied only, for planning: a collision library that treats a
-/// value of exactly 0.5 as free (FCL 0.7 does) still sees them.
-std::unique_ptr<octomap::OcTree> toOccupiedOctree(const VoxelGrid& grid);
-
-/// The voxel of a key at the finest depth of a tree of depth 16.
-VoxelKey gridKey(const octomap::OcTreeKey& key);
 
 /// The grid of an octree's leaves; pruned leaves are expanded.
 VoxelGrid fromOctree(const octomap::OcTree& tree);

@@ -6,10 +6,6 @@
 #include "smore/planning/collision_checker.h"
 #include "smore/planning/voxel_overlap.h"
 
-namespace octomap {
-class OcTree;
-}
-
 namespace smore {
 
 /// FCL's octree against octree. Poses that a distance field of the world settles do not reach FCL,
@@ -20,9 +16,7 @@ namespace smore {
 /// decides the rest (docs/octree_planning.md).
 class FclCollisionChecker : public CollisionChecker {
  public:
-  /// Takes the leaves with P >= kOccupied (exactly that value included); others and inner nodes do
-  /// not matter. std::invalid_argument if the resolutions differ.
-  FclCollisionChecker(const octomap::OcTree& object, const octomap::OcTree& world);
+  /// std::invalid_argument if the voxel sizes differ or are not positive.
   FclCollisionChecker(const OccupiedVoxels& object, const OccupiedVoxels& world);
   ~FclCollisionChecker() override;
 

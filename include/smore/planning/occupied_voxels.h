@@ -5,10 +5,6 @@
 
 #include "smore/mapping/voxel_grid.h"
 
-namespace octomap {
-class OcTree;
-}
-
 namespace smore {
 
 /// The occupied part of a map: what a collision checker needs of it.
@@ -17,10 +13,7 @@ struct OccupiedVoxels {
   std::vector<VoxelKey> keys;
 };
 
-/// The leaves with P >= kOccupied, exactly that value included; pruned leaves are expanded.
-OccupiedVoxels occupiedVoxels(const octomap::OcTree& tree);
-
-/// The voxels with P >= kOccupied in the order of the grid.
+/// The voxels with P >= kOccupied, exactly that value included, in the order of the grid.
 OccupiedVoxels occupiedVoxels(const VoxelGrid& grid);
 
 /// Their centres [m], in the same order.
