@@ -67,9 +67,6 @@ class JointDistribution {
                     const FreeSpaceEvidence& evidence, const PriorEvidence& prior,
                     const DistributionParameters& parameters);
 
-  /// Unnormalised log probability.
-  double logDensity(const JointSample& sample) const;
-
   /// `count` samples: a tempered population of Gibbs chains (docs/belief.md). The contacts' order
   /// does not matter: each draws from the seed and its own id, in an order of visits that the ids
   /// give.
