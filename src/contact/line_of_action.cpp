@@ -38,8 +38,4 @@ LineOfAction transformLine(const Pose& T_a_b, const LineOfAction& line_b) {
   return line_a;
 }
 
-double distanceToLine(const LineOfAction& line, const Vec3& point) {
-  return (point - line.point).cross(line.direction).norm();
-}
-
 }  // namespace smore

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "distance_to_line.h"
 #include "smore/contact/contact_sensing.h"
 
 namespace smore {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 
+#include "distance_to_line.h"
 #include "smore/contact/line_of_action.h"
 
 namespace smore {

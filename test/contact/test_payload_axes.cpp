@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "payload_at.h"
 #include "smore/contact/payload_identification.h"
 
 namespace smore {

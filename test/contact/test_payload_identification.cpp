@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "payload_at.h"
 #include "smore/contact/sensor_noise.h"
 #include "smore/contact/still_poses.h"
 

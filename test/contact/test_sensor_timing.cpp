@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "distance_to_line.h"
 #include "sensor_feed.h"
 #include "smore/contact/contact_sensing.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "payload_at.h"
 #include "smore/contact/wrench_compensator.h"
 
 namespace smore {

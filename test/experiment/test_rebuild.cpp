@@ -6,6 +6,7 @@
 #include <random>
 #include <sstream>
 
+#include "../contact/distance_to_line.h"
 #include "../scenario/temporary_directory.h"
 #include "bar_behind_peg.h"
 #include "smore/common/result.h"

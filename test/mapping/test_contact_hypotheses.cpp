@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "../contact/distance_to_line.h"
 #include "at_a_decimetre.h"
 #include "smore/mapping/contact_hypotheses.h"
 

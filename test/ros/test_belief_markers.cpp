@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 
+#include "../contact/distance_to_line.h"
 #include "../mapping/belief_observations.h"
 #include "smore/ros/belief_markers.h"
 #include "smore/ros/ghost_markers.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "../contact/distance_to_line.h"
 #include "contact_trials.h"
 
 namespace smore {

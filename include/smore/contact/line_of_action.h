@@ -27,7 +27,4 @@ Result<LineOfAction> lineOfAction(const Wrench& wrench, double min_force);
 /// The same line in frame a, from frame b. The point stays the one nearest to frame b's origin.
 LineOfAction transformLine(const Pose& T_a_b, const LineOfAction& line_b);
 
-/// Distance of a point to the line [m], both in one frame.
-double distanceToLine(const LineOfAction& line, const Vec3& point);
-
 }  // namespace smore

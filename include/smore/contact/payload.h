@@ -14,11 +14,6 @@ struct Payload {
   double unknown_mass = 0.0;  ///< what may be carried beyond it [kg], not negative; 0: nothing
 };
 
-/// A payload of `mass` [kg] with its centre of mass at `center_object` in the object frame [m].
-inline Payload payloadAt(double mass, const Vec3& center_object) {
-  return {mass, mass * center_object};
-}
-
 /// Gravity in the axes of the object frame [m/s^2].
 inline Vec3 gravityIn(const Pose& T_world_object) {
   return T_world_object.linear().transpose() * gravity();

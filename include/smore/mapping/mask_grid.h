@@ -25,7 +25,6 @@ class MaskedPoints {
 
   void add(const Eigen::Vector3f& point, HypothesisMask mask);
   const std::vector<MaskedPoint>& points() const { return points_; }
-  float cell() const { return cell_; }
   /// The same number for all points of one cell of a lattice of this size.
   static std::uint64_t cellKey(const Eigen::Vector3f& point, float cell);
 

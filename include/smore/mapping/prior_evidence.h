@@ -60,7 +60,6 @@ class PriorEvidence {
   const std::vector<MaskedPoint>& balls(MapSide side) const {
     return side == MapSide::kObject ? object_balls_ : world_balls_;
   }
-  double ballRadius() const { return ball_radius_; }  ///< [m]
 
  private:
   /// What one piece says about one contact's places.

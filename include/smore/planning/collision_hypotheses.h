@@ -41,7 +41,7 @@ class CollisionHypotheses : public ContactObserver, public MovementBelief {
   /// says that the cells are too coarse for this contact: it no longer counts.
   const std::vector<int>& sizes() const { return sizes_; }
 
-  double cellSize() const { return cell_; }
+  double cellSize() const { return cell_; }  ///< of the world [m]
 
  private:
   using Cell = std::uint64_t;
