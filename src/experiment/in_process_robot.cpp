@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "smore/common/elapsed_time.h"
+#include "smore/common/retreat.h"
 
 namespace smore {
 namespace {
 
 constexpr double kSettleDeadline = 2.0;  // simulated [s]; a contact settles in a tenth of it
 constexpr double kTareDeadline = 60.0;   // simulated [s]
-constexpr int kMostStretches = 20;       // of a retreat, while something still touches
 constexpr char kTooNoisy[] = "it takes longer to average so much noise; tell less wrench_noise";
 
 MotionResult fault(const std::string& reason) {
@@ -80,18 +80,20 @@ MotionResult InProcessRobot::follow(const Path& path) {
 }
 
 MotionResult InProcessRobot::retreat(double distance) {
-  for (int stretch = 0; stretch < kMostStretches; ++stretch) {
-    const Path back = trail_.wayBack(robot_->pose(), distance);
-    if (const auto failure = robot_->follow(back)) return fault(failure->reason);
-    while (robot_->moving()) {
-      advance(true);
-      trail_.unwind(robot_->pose());
-    }
-    if (const auto stopped = robot_->fault()) return fault(stopped->reason);
-    if (waitUntilFree()) return {};
-    if (back.empty()) break;
+  const auto result = retreatInStretches({[&] { return trail_.wayBack(robot_->pose(), distance); },
+                                          [this](const Path& back) { return goBack(back); },
+                                          [this] { return waitUntilFree(); }});
+  return result ? *result : fault(kStillInContact);
+}
+
+MotionResult InProcessRobot::goBack(const Path& back) {
+  if (const auto failure = robot_->follow(back)) return fault(failure->reason);
+  while (robot_->moving()) {
+    advance(true);
+    trail_.unwind(robot_->pose());
   }
-  return fault("still in contact after the retreat");
+  if (const auto stopped = robot_->fault()) return fault(stopped->reason);
+  return {};
 }
 
 MotionResult InProcessRobot::reset(const Pose& start) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "smore/common/retreat.h"
 #include "smore/kinematics/tool_gap.h"
 #include "smore/ros/interruptible_call.h"
 #include "smore/ros/names.h"
@@ -15,8 +16,6 @@
 namespace smore {
 namespace {
 
-// Of a retreat: it goes on where it was stopped, and while something still touches.
-constexpr int kMostStretches = 20;
 // The way before a touch on which its force's work is looked at [m + rad].
 constexpr double kWayOfWork = 0.004;
 // Each leaves a small share of what the one before left.
@@ -100,17 +99,12 @@ MotionResult RosRobot::follow(const Path& path) {
 }
 
 MotionResult RosRobot::retreat(double distance) {
-  MotionResult result;
-  for (int stretch = 0; stretch < kMostStretches; ++stretch) {
-    const Path back = trail_.wayBack(pose(), distance);
-    if (!back.empty()) result = goBack(back);
-    if (result.end != MotionEnd::kReached || waitUntilFree()) return result;
-    if (back.empty()) break;
-  }
+  const auto result = retreatInStretches({[&] { return trail_.wayBack(pose(), distance); },
+                                          [this](const Path& back) { return goBack(back); },
+                                          [this] { return waitUntilFree(); }});
+  if (result) return *result;
   halt();
-  result.end = stop_requested_ ? MotionEnd::kStopped : MotionEnd::kFault;
-  result.reason = "still in contact after the retreat";
-  return result;
+  return {stop_requested_ ? MotionEnd::kStopped : MotionEnd::kFault, kStillInContact, 0.0};
 }
 
 MotionResult RosRobot::goBack(const Path& back) {

@@ -44,6 +44,8 @@ class InProcessRobot : public Robot {
   const LoopTimes& times() const { return times_; }
 
  private:
+  /// A stretch of a retreat.
+  MotionResult goBack(const Path& back);
   /// One sensor period; the observation has been handed on if `report`.
   ContactObservation advance(bool report);
   /// Stands still until the line of the present contact has been given, or contact is lost.
