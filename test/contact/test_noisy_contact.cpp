@@ -6,20 +6,11 @@
 #include <random>
 #include <vector>
 
+#include "data_sheet_noise.h"
 #include "smore/contact/contact_sensing.h"
 
 namespace smore {
 namespace {
-
-// The UR5e's data sheet: +-3.5 N and +-0.2 N m, taken as two standard deviations; in the field its
-// bias drifts by 3 N in five minutes.
-SensorNoise dataSheet() {
-  SensorNoise noise;
-  noise.force_stddev = 1.75;
-  noise.torque_stddev = 0.1;
-  noise.force_drift = 3.0 / std::sqrt(300.0);
-  return noise;
-}
 
 // A sensor with these errors and the sensing behind it.
 class NoisyContact : public ::testing::Test {

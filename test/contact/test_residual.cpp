@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "data_sheet_noise.h"
 #include "sensor_feed.h"
 #include "smore/contact/contact_sensing.h"
 
@@ -11,14 +12,6 @@ namespace smore {
 namespace {
 
 SensorNoise quiet() { return {}; }
-
-SensorNoise dataSheet() {
-  SensorNoise noise;
-  noise.force_stddev = 1.75;
-  noise.torque_stddev = 0.1;
-  noise.force_drift = 3.0 / std::sqrt(300.0);
-  return noise;
-}
 
 /// A hand that moves along x at 0.05 m/s, with a gripper that keeps `kept` once it has touched.
 class ResidualTest : public ::testing::TestWithParam<SensorNoise> {

@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "data_sheet_noise.h"
 #include "distance_to_line.h"
 #include "sensor_feed.h"
 #include "smore/contact/contact_sensing.h"
@@ -24,15 +25,6 @@ const std::map<std::string, FeedFaults> kFaults{
 };
 
 SensorNoise quiet() { return {}; }
-
-// The UR5e's data sheet and a bias that drifts by 3 N in five minutes.
-SensorNoise dataSheet() {
-  SensorNoise noise;
-  noise.force_stddev = 1.75;
-  noise.torque_stddev = 0.1;
-  noise.force_drift = 3.0 / std::sqrt(300.0);
-  return noise;
-}
 
 /// A sensor of some rate [Hz] and timing, and the sensing, which is told 500 Hz whatever it is.
 class TimedContact {
