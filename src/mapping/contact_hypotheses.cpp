@@ -10,8 +10,6 @@
 namespace smore {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // A line that is steeper than 60 degrees to the plane of motion does not come from moving in it.
 constexpr double kSmallestInPlane = 0.5;
 
@@ -58,8 +56,8 @@ class EvenNormals {
     }
     const double first = std::sqrt(-2.0 * std::log1p(-at_[0]));
     const double second = std::sqrt(-2.0 * std::log1p(-at_[1]));
-    const double a = 2.0 * kPi * at_[2];
-    const double b = 2.0 * kPi * at_[3];
+    const double a = 2.0 * M_PI * at_[2];
+    const double b = 2.0 * M_PI * at_[3];
     return {first * std::cos(a), first * std::sin(a), second * std::cos(b), second * std::sin(b)};
   }
 

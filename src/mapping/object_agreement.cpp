@@ -6,11 +6,9 @@
 namespace smore {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // Of a place that may be anywhere within a distance.
 double evenDensity(double reach, bool planar) {
-  return planar ? 1.0 / (kPi * reach * reach) : 3.0 / (4.0 * kPi * reach * reach * reach);
+  return planar ? 1.0 / (M_PI * reach * reach) : 3.0 / (4.0 * M_PI * reach * reach * reach);
 }
 
 // The touches on the object in one sample; those before it foresee the next one.
@@ -18,8 +16,8 @@ class ForeseenTouches {
  public:
   explicit ForeseenTouches(const TouchLengths& lengths)
       : spread_(lengths.spread),
-        peak_(lengths.planar ? 1.0 / (kPi * spread_ * spread_)
-                             : 1.0 / (kPi * kPi * spread_ * spread_ * spread_)),
+        peak_(lengths.planar ? 1.0 / (M_PI * spread_ * spread_)
+                             : 1.0 / (M_PI * M_PI * spread_ * spread_ * spread_)),
         anywhere_(evenDensity(lengths.reach, lengths.planar)) {}
 
   /// Log density of the next touch, which then foresees others.

@@ -11,8 +11,6 @@
 namespace smore {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 constexpr double kSmallestUnit = 0.002;  // [m]
 constexpr double kRatio = 1.5;
 
@@ -46,9 +44,9 @@ constexpr double kLeastOffset = 0.5 * kSmallestUnit;
 double density(double distance, double scale, int dimensions) {
   const double ratio = distance / scale;
   const double falling = std::pow(1.0 + ratio * ratio / kFreedom, -0.5 * (kFreedom + dimensions));
-  if (dimensions == 2) return 2.0 * kPi * distance * falling / (2.0 * kPi * scale * scale);
+  if (dimensions == 2) return 2.0 * M_PI * distance * falling / (2.0 * M_PI * scale * scale);
   const double norm = std::tgamma(0.5 * (kFreedom + 1.0)) /
-                      (std::tgamma(0.5 * kFreedom) * std::sqrt(kFreedom * kPi));
+                      (std::tgamma(0.5 * kFreedom) * std::sqrt(kFreedom * M_PI));
   return 2.0 * norm * falling / scale;
 }
 

@@ -6,7 +6,6 @@
 namespace smore {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 // States are single precision: a pose on the workspace's edge may come back this far outside [m].
 constexpr double kRounding = 1e-5;
 
@@ -45,13 +44,13 @@ RiskState RiskSpace::sample(CounterRandom* random) const {
   state.position = (T_map_world_ * origin).cast<float>();
   if (planar()) {
     state.position.z() = 0.0F;
-    state.rotation = turn(kPi, random);
+    state.rotation = turn(M_PI, random);
     return state;
   }
   // Uniform over rotations (Shoemake 1992).
   const double u = random->uniform();
-  const double a = 2.0 * kPi * random->uniform();
-  const double b = 2.0 * kPi * random->uniform();
+  const double a = 2.0 * M_PI * random->uniform();
+  const double b = 2.0 * M_PI * random->uniform();
   state.rotation = Eigen::Quaterniond(std::sqrt(u) * std::cos(b), std::sqrt(1.0 - u) * std::sin(a),
                                       std::sqrt(1.0 - u) * std::cos(a), std::sqrt(u) * std::sin(b))
                        .cast<float>();
