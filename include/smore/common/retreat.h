@@ -8,6 +8,7 @@
 
 namespace smore {
 
+/// Why a retreat was given up, for the user.
 constexpr char kStillInContact[] = "still in contact after the retreat";
 
 /// What a robot retreats by.
