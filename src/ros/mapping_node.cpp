@@ -197,10 +197,7 @@ class MappingNode {
   }
 
   void onTimer(const ros::WallTimerEvent& /*event*/) {
-    if (const auto problem = keeper_->takeProblem()) {
-      ROS_ERROR_STREAM(*problem);
-      report_.problem = *problem;
-    }
+    tellProblems();
     for (MapPublisher* map : {&world_, &object_}) map->showFrom(display_.minProbability());
     std::optional<smore_msgs::EvidenceSource> source;
     std::optional<VoxelGrid> world, object;
@@ -227,6 +224,14 @@ class MappingNode {
     report_.lines = lines.size();
     report_.revision = revision;
     publishStatus();
+  }
+
+  void tellProblems() {
+    const KeeperProblems problems = keeper_->takeProblems();
+    for (const std::string& problem : {problems.left_out, problems.journal_end}) {
+      if (!problem.empty()) ROS_ERROR_STREAM(problem);
+    }
+    note(problems, &report_);
   }
 
   void publishStatus() {

@@ -161,13 +161,36 @@ TEST(MappingStatus, isStaleWithoutObservationsOrWithOldOnes) {
   expectStatus(told(report), Status::OK, "maps of 0 contacts");
 }
 
-TEST(MappingStatus, warnsOfMapsThatFallBehindAndOfWhatWasGivenUp) {
+TEST(MappingStatus, warnsOfMapsThatFallBehind) {
   MappingReport report;
   report.pose_age = 0.01;
-  report.problem = "the journal ends here";
-  expectStatus(told(report), Status::WARN, "the journal ends here");
   report.waiting = 5000;
   expectStatus(told(report), Status::WARN, "5000 observations wait");
+}
+
+TEST(MappingStatus, warnsOfAnObservationThatWasLeftOutForTenSeconds) {
+  MappingReport report;
+  report.pose_age = 0.01;
+  note(KeeperProblems{"observation left out", ""}, &report);
+  note(KeeperProblems{}, &report);
+  expectStatus(told(report), Status::WARN, "observation left out");
+  report.left_out_at -= std::chrono::seconds(10);
+  expectStatus(told(report), Status::OK, "maps of 0 contacts");
+}
+
+TEST(MappingStatus, warnsOfTheJournalsEndForGoodAndBesideAllElse) {
+  MappingReport report;
+  report.pose_age = 0.01;
+  note(KeeperProblems{"", "the journal ends here"}, &report);
+  note(KeeperProblems{"observation left out", ""}, &report);
+  expectStatus(told(report), Status::WARN, "the journal ends here");
+  expectStatus(told(report), Status::WARN, "observation left out");
+  report.left_out_at -= std::chrono::hours(1);
+  report.waiting = 5000;
+  expectStatus(told(report), Status::WARN, "the journal ends here");
+  expectStatus(told(report), Status::WARN, "5000 observations wait");
+  report.pose_age.reset();
+  expectStatus(told(report), Status::STALE, "the journal ends here");
 }
 
 TEST(MappingStatus, givesTheSizesOfTheMapsOnceSomebodyHasAskedForThem) {
