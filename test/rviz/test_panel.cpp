@@ -21,7 +21,9 @@ TEST_F(Panel, BringsTheObjectToTheGoal) {
   ASSERT_TRUE(panel_.click(RetrievalCommands::kRetrieve));
   ASSERT_TRUE(panel_.shows("phase", "moving along the way"));
   EXPECT_FALSE(panel_.button(RetrievalCommands::kRetrieve)->isEnabled()) << "it has a goal";
+  EXPECT_FALSE(panel_.text("progress").contains("<b>-"));
   ASSERT_TRUE(panel_.shows("outcome", "reached")) << panel_.text("outcome").toStdString();
+  EXPECT_TRUE(panel_.shows("progress", "risk of the plan <b>-")) << "it has no goal";
   const QRegularExpression contacts("contacts <b>[1-9]");
   EXPECT_TRUE(contacts.match(panel_.text("progress")).hasMatch())
       << panel_.text("progress").toStdString();
