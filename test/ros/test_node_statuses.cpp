@@ -132,6 +132,21 @@ TEST(SensorStatus, isAnErrorWhileSamplesAreAtTheEndOfTheRange) {
   expectStatus(told(&status, report), Status::OK, "tared");
 }
 
+TEST(SensorStatus, warnsOfContactsThatEndedWithoutALineAndCountsThem) {
+  SensorStatus status;
+  SensorReport report = tared();
+  report.lineless = 2;
+  expectStatus(told(&status, report), Status::WARN, "2 contacts ended");
+  report.lineless = 3;
+  report.bias_stddev = 0.6;
+  const Status both = told(&status, report);
+  expectStatus(both, Status::WARN, "known to 0.60 N only");
+  expectStatus(both, Status::WARN, "1 contacts ended");
+  EXPECT_EQ(valueOf(both, "contacts without a line"), "3");
+  report.bias_stddev = 0.1;
+  expectStatus(told(&status, report), Status::OK, "tared");
+}
+
 TEST(Saturation, isAnyAxisAtTheEndOfTheRangeOrBeyond) {
   const WrenchRange range = wristSensorRange(RobotKind::kUr5e);
   Wrench wrench;
