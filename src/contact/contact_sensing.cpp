@@ -147,6 +147,7 @@ ContactObservation ContactSensing::observe(const WrenchSample& raw) {
   observation.time = raw.time;
   observation.T_world_object = raw.T_world_object;
   residual_.reset();
+  ended_without_line_ = false;
   if (!compensator_.tared()) return observation;
 
   const double unknown = compensator_.unknownWeight(raw.T_world_object);
@@ -213,6 +214,7 @@ std::optional<LineOfAction> ContactSensing::measureLine(const WrenchSample& raw,
   if (state != ContactState::kContact) {
     const bool lost = average_ && !average_->given && average_->wrench.count() > 0;
     auto line = lost ? averagedLine(raw.sensor_object) : std::nullopt;
+    ended_without_line_ = average_ && !average_->has_line;
     average_.reset();
     return line;
   }
@@ -235,6 +237,7 @@ std::optional<LineOfAction> ContactSensing::averagedLine(const Vec3& sensor_obje
   const SteadyMean& average = average_->wrench;
   const Result<LineOfAction> line = lineOfAction(average.mean(), parameters_.line.min_force);
   if (!line) return std::nullopt;
+  average_->has_line = true;
   LineOfAction result = *line;
   const SteadyMean::Swing swing = average.swing();
   const double force_stddev = std::hypot(meanForceStddev(average.count()), 0.5 * swing.force);

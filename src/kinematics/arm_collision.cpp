@@ -58,7 +58,7 @@ class ArmCollision::Impl {
   Impl(const UrdfModel& urdf, const ArmModel* arm) : arm_(arm) {
     const auto& links = arm->tree().links();
     for (size_t i = 0; i < links.size(); ++i) {
-      for (const Shape& shape : collisionShapes(*urdf->getLink(links[i].name))) {
+      for (const Shape& shape : collisionShapes(urdf, links[i].name)) {
         const Geometry geometry =
             std::visit([](const auto& solid) { return grown(solid); }, shape.geometry);
         parts_.push_back({i, arm->jointCountBefore(static_cast<int>(i)), shape.pose,

@@ -18,10 +18,10 @@ std::vector<int> movingLinks(const KinematicTree& tree, int tool) {
   return moving;
 }
 
-JointLimits limitsOf(const urdf::Joint& joint) {
+JointLimits limitsOf(const urdf::Joint& joint, const std::string& source) {
   if (joint.type != urdf::Joint::REVOLUTE || !joint.limits || joint.limits->velocity <= 0.0 ||
       joint.limits->upper <= joint.limits->lower) {
-    throw InputError("URDF: joint " + joint.name +
+    throw InputError(source + ": joint " + joint.name +
                      ": the arm needs revolute joints with limits of position and velocity; add "
                      "<limit lower upper velocity effort>");
   }
@@ -34,7 +34,7 @@ ArmModel::ArmModel(const UrdfModel& urdf, const ArmFrames& frames)
     : frames_(frames), tree_(urdf, frames.base), tool_(tree_.linkIndex(frames.tool)) {
   const std::vector<int> moving = movingLinks(tree_, tool_);
   if (moving.size() != kArmJoints) {
-    throw InputError("URDF " + urdf->getName() + ": there are " + std::to_string(moving.size()) +
+    throw InputError(urdf.source + ": there are " + std::to_string(moving.size()) +
                      " moving joints from " + frames.base + " to " + frames.tool +
                      ", but the arm must have " + std::to_string(kArmJoints));
   }
@@ -42,7 +42,7 @@ ArmModel::ArmModel(const UrdfModel& urdf, const ArmFrames& frames)
   for (size_t i = 0; i < kArmJoints; ++i) {
     const TreeLink& link = tree_.links()[static_cast<size_t>(joint_links_[i])];
     joint_names_[i] = tree_.jointNames()[static_cast<size_t>(link.variable)];
-    limits_[i] = limitsOf(*urdf->getJoint(joint_names_[i]));
+    limits_[i] = limitsOf(*urdf->getJoint(joint_names_[i]), urdf.source);
   }
   for (size_t i = 0; i < tree_.links().size(); ++i) {
     const int parent = tree_.links()[i].parent;

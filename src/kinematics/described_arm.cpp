@@ -16,18 +16,19 @@ constexpr double kMostTurned = 0.1;  // [rad]
 // What printed numbers are rounded to, and less than any calibration changes.
 constexpr double kRounding = 1e-5;  // [m], [rad]
 
+/// `joint`: of the description, with the place where that comes from.
 [[noreturn]] void refuse(const Scenario& scenario, const std::string& joint,
                          const std::string& what) {
-  throw InputError("robot_description: joint " + joint + ": " + what + "; it must be that of a " +
-                   robotText(scenario) +
+  throw InputError(joint + ": " + what + "; it must be that of a " + robotText(scenario) +
                    " (robot: of the scenario); without robot_description the nominal "
                    "arm is taken");
 }
 
-void checkPlace(const Scenario& scenario, const urdf::Joint& own, const urdf::Joint& described) {
+void checkPlace(const Scenario& scenario, const std::string& joint, const urdf::Joint& own,
+                const urdf::Joint& described) {
   if (described.parent_link_name != own.parent_link_name ||
       described.child_link_name != own.child_link_name) {
-    refuse(scenario, own.name,
+    refuse(scenario, joint,
            "it joins " + described.parent_link_name + " and " + described.child_link_name +
                ", not " + own.parent_link_name + " and " + own.child_link_name);
   }
@@ -37,7 +38,7 @@ void checkPlace(const Scenario& scenario, const urdf::Joint& own, const urdf::Jo
     std::ostringstream what;
     what << "it stands " << distanceBetween(nominal, found) << " m and "
          << angleBetween(nominal, found) << " rad from where the nominal arm has it";
-    refuse(scenario, own.name, what.str());
+    refuse(scenario, joint, what.str());
   }
 }
 
@@ -49,12 +50,14 @@ UrdfModel describedArm(const Scenario& scenario, const UrdfModel& description) {
   for (const std::string& name : model.jointNames()) {
     const urdf::JointSharedPtr own = urdf->joints_.at(name);
     const urdf::JointConstSharedPtr described = description->getJoint(name);
-    if (!described) refuse(scenario, name, "it is not there");
-    if (!described->limits) refuse(scenario, name, "it has no limits");
-    checkPlace(scenario, *own, *described);
+    const std::string joint = description.source + ": joint " + name;
+    if (!described) refuse(scenario, joint, "it is not there");
+    if (!described->limits) refuse(scenario, joint, "it has no limits");
+    checkPlace(scenario, joint, *own, *described);
     own->parent_to_joint_origin_transform = described->parent_to_joint_origin_transform;
     *own->limits = *described->limits;
   }
+  urdf.source += " with the joints of " + description.source;
   return urdf;
 }
 

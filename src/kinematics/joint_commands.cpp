@@ -34,7 +34,8 @@ class ArmCommands : public JointCommands {
  public:
   ArmCommands(const Scenario& scenario, const UrdfModel& arm)
       : motion_(arm, armMotionParameters(scenario)),
-        limits_(isCalibrated(scenario, arm) ? kCalibratedToolGap : kNominalToolGap) {}
+        limits_(isCalibrated(scenario, arm) ? kCalibratedToolGap : kNominalToolGap),
+        source_(arm.source) {}
 
   std::vector<std::string> jointNames() const override {
     const auto& names = motion_.model().jointNames();
@@ -57,9 +58,12 @@ class ArmCommands : public JointCommands {
 
   ToolGapLimits toolGapLimits() const override { return limits_; }
 
+  std::string descriptionSource() const override { return source_; }
+
  private:
   ArmMotion motion_;
   ToolGapLimits limits_;
+  std::string source_;
 };
 
 }  // namespace

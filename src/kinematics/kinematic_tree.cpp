@@ -20,9 +20,10 @@ Pose jointMotion(const TreeLink& link, double position) {
 
 }  // namespace
 
-KinematicTree::KinematicTree(const UrdfModel& model, const std::string& root) {
+KinematicTree::KinematicTree(const UrdfModel& model, const std::string& root)
+    : source_(model.source) {
   const auto link = model->getLink(root);
-  if (!link) throw InputError("URDF " + model->getName() + ": there is no link '" + root + "'");
+  if (!link) throw InputError(source_ + ": there is no link '" + root + "'");
   add(model, *link, -1);
 }
 
@@ -42,7 +43,7 @@ void KinematicTree::readJoint(const urdf::Joint& joint, TreeLink* link) {
   link->prismatic = joint.type == urdf::Joint::PRISMATIC;
   if (!link->prismatic && joint.type != urdf::Joint::REVOLUTE &&
       joint.type != urdf::Joint::CONTINUOUS) {
-    throw InputError("URDF: joint " + joint.name +
+    throw InputError(source_ + ": joint " + joint.name +
                      ": only fixed, revolute, continuous and prismatic joints are known");
   }
   link->axis = Vec3(joint.axis.x, joint.axis.y, joint.axis.z).normalized();
@@ -64,7 +65,7 @@ int KinematicTree::linkIndex(const std::string& name) const {
   const auto found = std::find_if(links_.begin(), links_.end(),
                                   [&name](const TreeLink& link) { return link.name == name; });
   if (found == links_.end()) {
-    throw InputError("URDF: there is no link '" + name + "' below " + links_.front().name);
+    throw InputError(source_ + ": there is no link '" + name + "' below " + links_.front().name);
   }
   return static_cast<int>(found - links_.begin());
 }

@@ -11,7 +11,8 @@
 namespace smore {
 namespace {
 
-Shape shapeOf(const urdf::Collision& collision, const std::string& link) {
+/// `place`: file and link, for messages.
+Shape shapeOf(const urdf::Collision& collision, const std::string& place) {
   Shape shape;
   shape.pose = toPose(collision.origin);
   const urdf::Geometry& geometry = *collision.geometry;
@@ -32,7 +33,7 @@ Shape shapeOf(const urdf::Collision& collision, const std::string& link) {
     case urdf::Geometry::MESH:
       break;
   }
-  throw InputError("URDF: link " + link +
+  throw InputError(place +
                    ": the collision geometry is a mesh; describe it by boxes, cylinders and "
                    "spheres");
 }
@@ -40,11 +41,11 @@ Shape shapeOf(const urdf::Collision& collision, const std::string& link) {
 }  // namespace
 
 UrdfModel parseUrdf(const std::string& xml, const std::string& source) {
-  UrdfModel model = urdf::parseURDF(xml);
-  if (!model) {
+  UrdfModel urdf{urdf::parseURDF(xml), source};
+  if (!urdf.model) {
     throw InputError(source + ": is no valid URDF; its parser's message stands above");
   }
-  return model;
+  return urdf;
 }
 
 UrdfModel loadUrdf(const std::string& file) {
@@ -68,10 +69,10 @@ Pose toPose(const urdf::Pose& pose) {
   return result;
 }
 
-std::vector<Shape> collisionShapes(const urdf::Link& link) {
+std::vector<Shape> collisionShapes(const UrdfModel& urdf, const std::string& link) {
   std::vector<Shape> shapes;
-  for (const auto& collision : link.collision_array) {
-    shapes.push_back(shapeOf(*collision, link.name));
+  for (const auto& collision : urdf->getLink(link)->collision_array) {
+    shapes.push_back(shapeOf(*collision, urdf.source + ": link " + link));
   }
   return shapes;
 }

@@ -150,6 +150,7 @@ class ForceTorqueNode {
     publishCompensated(stamp);
     reportTare(was_tared);
     reportResidual();
+    reportLineless();
     addStill(sample, observation->state);
   }
 
@@ -175,6 +176,17 @@ class ForceTorqueNode {
                                            << residual->force.transpose()
                                            << ") after the touch, felt where nothing touched "
                                               "before: taken into the bias");
+  }
+
+  void reportLineless() {
+    if (!sensing_.endedWithoutLine()) return;
+    ++lineless_;
+    if (lineless_warning_.isDue())
+      ROS_WARN_STREAM(
+          "a contact ended before its force had come to rest (line/settle, "
+          << parameters_.sensing.line.settle
+          << " s) and gave no line of action, so that little is learnt of it; where that goes on, "
+             "raise contact_force in the scenario, or lower object_mass of a simulated one");
   }
 
   /// The stamp is the wrench's own: a time in seconds is not as fine.
@@ -228,6 +240,7 @@ class ForceTorqueNode {
     SensorReport report = reportOf(sensing_, parameters_.sensing.detector, newest_);
     report.range = parameters_.range;
     report.saturated = intake_.saturated();
+    report.lineless = lineless_;
     return report;
   }
 
@@ -261,11 +274,12 @@ class ForceTorqueNode {
   std::unique_ptr<SensingRecord> record_;
   ros::Subscriber wrench_, tf_, tf_static_;
   ros::ServiceServer tare_, suspend_, identify_;
-  Throttle sample_warning_{kWarningPeriod};
+  Throttle sample_warning_{kWarningPeriod}, lineless_warning_{kWarningPeriod};
   Throttle tare_warning_{kWarningPeriod}, silence_warning_{kWarningPeriod};
   int last_contact_ = 0;
-  double newest_ = 0.0;        ///< time of the last sample [s]
-  std::uint64_t refused_ = 0;  ///< samples that were not finite, or whose times did not rise
+  double newest_ = 0.0;         ///< time of the last sample [s]
+  std::uint64_t refused_ = 0;   ///< samples that were not finite, or whose times did not rise
+  std::uint64_t lineless_ = 0;  ///< contacts that ended without a line
   WrenchStatus wrench_status_;
   SensorStatus sensor_status_;
   StatusPublisher statuses_;

@@ -45,6 +45,7 @@ void addValues(const SensorReport& now, Status* status) {
   status->add("free force [N]", now.free_force);
   status->add("payload [kg]", now.payload_mass);
   status->add("saturated samples", now.saturated);
+  status->add("contacts without a line", now.lineless);
   if (std::isfinite(now.range.force)) status->add("range of the force [N]", now.range.force);
   if (std::isfinite(now.range.torque)) status->add("range of the torque [N m]", now.range.torque);
 }
@@ -95,7 +96,9 @@ SensorReport reportOf(const ContactSensing& sensing, const ContactDetectorParame
 
 void SensorStatus::compose(const SensorReport& now, Status* status) {
   const std::uint64_t saturated = now.saturated - saturated_;
+  const std::uint64_t lineless = now.lineless - lineless_;
   saturated_ = now.saturated;
+  lineless_ = now.lineless;
   if (saturated > 0) {
     status->summaryf(Status::ERROR,
                      "%lu samples at the end of the sensor's range in the last "
@@ -112,6 +115,12 @@ void SensorStatus::compose(const SensorReport& now, Status* status) {
                      now.bias_stddev, now.free_force);
   } else {
     status->summaryf(Status::OK, "tared, the bias known to %.2f N", now.bias_stddev);
+  }
+  if (lineless > 0) {
+    status->mergeSummaryf(Status::WARN,
+                          "%lu contacts ended in the last second without a line of "
+                          "action; the log says why",
+                          static_cast<unsigned long>(lineless));
   }
   addValues(now, status);
 }

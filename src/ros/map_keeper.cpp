@@ -162,9 +162,9 @@ double MapKeeper::forgetQueue() {
   return arrived_.at ? arrived_.newest : state_.stamp;
 }
 
-std::optional<std::string> MapKeeper::takeProblem() {
+KeeperProblems MapKeeper::takeProblems() {
   const std::lock_guard<std::mutex> lock(state_mutex_);
-  return std::exchange(problem_, std::nullopt);
+  return std::exchange(problems_, {});
 }
 
 void MapKeeper::work() {
@@ -198,8 +198,8 @@ void MapKeeper::takeIn(const ContactObservation& observation) {
   try {
     if (!learn(observation, &state_)) return;
   } catch (const std::out_of_range& error) {
-    problem_ = std::string("observation left out: it lies outside of the maps (") + error.what() +
-               "); check tf, or use larger voxels";
+    problems_.left_out = std::string("observation left out: it lies outside of the maps (") +
+                         error.what() + "); check tf, or use larger voxels";
     return;
   }
   writeJournal([&] { journal_->observe(observation); });
@@ -210,7 +210,7 @@ void MapKeeper::writeJournal(const std::function<void()>& write) {
   try {
     write();
   } catch (const std::runtime_error& error) {
-    problem_ = std::string(error.what()) + "; the journal ends here";
+    problems_.journal_end = std::string(error.what()) + "; the journal ends here";
     journal_.reset();
   }
 }

@@ -18,13 +18,13 @@
 #include "smore/ros/parameter_source.h"
 #include "smore/ros/prior_request.h"
 #include "smore/ros/throttle.h"
+#include "twin_maps_service.h"
 
 namespace smore {
 namespace {
 
 constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
-constexpr double kMostWait = 60.0;      // [s] of a caller: threads are few, and end with the node
-constexpr int kServiceThreads = 3;      // two waiting calls and the publisher
+constexpr int kServiceThreads = 3;      // two calls that take long and the publisher
 
 ros::Time timeOf(double stamp) {
   ros::Time time;
@@ -32,7 +32,8 @@ ros::Time timeOf(double stamp) {
 }
 
 /// Observations come in on the main thread and are handed to the keeper; services and publishing
-/// have threads of their own, since they wait for it.
+/// have threads of their own, since they wait for it. Callers of `twin_maps` have others, since
+/// they wait for what is still to come.
 class MappingNode {
  public:
   MappingNode(const MappingParameters& parameters, const EvidenceSource& source)
@@ -75,7 +76,6 @@ class MappingNode {
 
   void offerServices() {
     servers_ = {
-        service_node_.advertiseService(names::kTwinMaps, &MappingNode::onTwinMaps, this),
         service_node_.advertiseService(names::kResetMaps, &MappingNode::onReset, this),
         offerReset(names::kWorldMap, MapSide::kWorld),
         offerReset(names::kObjectMap, MapSide::kObject),
@@ -119,33 +119,6 @@ class MappingNode {
       return;
     }
     keeper_->push(*observation);
-  }
-
-  bool onTwinMaps(smore_msgs::TwinMaps::Request& request,
-                  smore_msgs::TwinMaps::Response& response) {
-    const double timeout = std::min(request.timeout.toSec(), kMostWait);
-    if (!keeper_->waitFor(request.not_before.toSec(), timeout)) {
-      response.message =
-          "the maps do not hold the observations up to the time asked for; check that contact "
-          "observations arrive";
-      return true;
-    }
-    keeper_->access([&](const MapState& state) { fill(request, state, &response); });
-    response.success = true;
-    return true;
-  }
-
-  void fill(const smore_msgs::TwinMaps::Request& request, const MapState& state,
-            smore_msgs::TwinMaps::Response* response) const {
-    response->revision = revisionOf(state);
-    response->stamp = timeOf(state.stamp);
-    if (request.with_octrees) {
-      response->world = fullOctomap(state.maps->world(), world_.headerAt(response->stamp));
-      response->object = fullOctomap(state.maps->object(), object_.headerAt(response->stamp));
-    }
-    if (!request.with_evidence) return;
-    response->evidence =
-        evidenceSince(state, request.epoch, request.evidence_from, parameters_.frames);
   }
 
   bool onReset(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
@@ -224,10 +197,7 @@ class MappingNode {
   }
 
   void onTimer(const ros::WallTimerEvent& /*event*/) {
-    if (const auto problem = keeper_->takeProblem()) {
-      ROS_ERROR_STREAM(*problem);
-      report_.problem = *problem;
-    }
+    tellProblems();
     for (MapPublisher* map : {&world_, &object_}) map->showFrom(display_.minProbability());
     std::optional<smore_msgs::EvidenceSource> source;
     std::optional<VoxelGrid> world, object;
@@ -256,6 +226,14 @@ class MappingNode {
     publishStatus();
   }
 
+  void tellProblems() {
+    const KeeperProblems problems = keeper_->takeProblems();
+    for (const std::string& problem : {problems.left_out, problems.journal_end}) {
+      if (!problem.empty()) ROS_ERROR_STREAM(problem);
+    }
+    note(problems, &report_);
+  }
+
   void publishStatus() {
     note(keeper_->arrivals(), &report_);
     report_.shown_from = display_.minProbability();
@@ -279,6 +257,7 @@ class MappingNode {
   std::uint64_t epoch_told_ = 0;
   ros::Subscriber contact_;
   std::vector<ros::ServiceServer> servers_;
+  TwinMapsService twin_maps_{parameters_.frames, keeper_.get()};
   ros::WallTimer timer_;
   MappingReport report_;
   StatusPublisher statuses_;

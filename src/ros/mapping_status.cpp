@@ -13,6 +13,8 @@ namespace {
 constexpr double kOldPose = 1.0;  // [s]; poses come with each wrench, 50 times a second at least
 // Observations of two seconds at 500 Hz: a belief update after a contact takes less.
 constexpr std::size_t kManyWaiting = 1000;
+// Long enough to be read by who looks up at a warning. Our choice.
+constexpr std::chrono::seconds kLeftOutShown(10);
 constexpr double kMebi = 1024.0 * 1024.0;
 
 void addVoxels(const char* key, const std::optional<std::size_t>& voxels, Status* status) {
@@ -20,6 +22,22 @@ void addVoxels(const char* key, const std::optional<std::size_t>& voxels, Status
     status->add(key, *voxels);
   } else {
     status->add(key, "nobody has asked for the map");
+  }
+}
+
+void summarizeArrivals(const MappingReport& now, Status* status) {
+  if (!now.pose_age) {
+    status->summary(Status::STALE, "no observation has come; is the listener running and tared?");
+  } else if (now.waiting > kManyWaiting) {
+    status->summaryf(Status::WARN, "the maps fall behind: %lu observations wait",
+                     static_cast<unsigned long>(now.waiting));
+  } else if (*now.pose_age > kOldPose) {
+    status->summaryf(Status::STALE,
+                     "the newest observation is %.1f s old; do wrenches and "
+                     "transforms come?",
+                     *now.pose_age);
+  } else {
+    status->summaryf(Status::OK, "maps of %lu contacts", static_cast<unsigned long>(now.lines));
   }
 }
 
@@ -44,21 +62,19 @@ void note(const Arrivals& arrivals, MappingReport* report) {
   report->pose_age = std::max(ago.count(), ros::Time::now().toSec() - arrivals.newest);
 }
 
+void note(const KeeperProblems& problems, MappingReport* report) {
+  if (!problems.journal_end.empty()) report->journal_end = problems.journal_end;
+  if (problems.left_out.empty()) return;
+  report->left_out = problems.left_out;
+  report->left_out_at = std::chrono::steady_clock::now();
+}
+
 void compose(const MappingReport& now, Status* status) {
-  if (!now.pose_age) {
-    status->summary(Status::STALE, "no observation has come; is the listener running and tared?");
-  } else if (now.waiting > kManyWaiting) {
-    status->summaryf(Status::WARN, "the maps fall behind: %lu observations wait",
-                     static_cast<unsigned long>(now.waiting));
-  } else if (*now.pose_age > kOldPose) {
-    status->summaryf(Status::STALE,
-                     "the newest observation is %.1f s old; do wrenches and "
-                     "transforms come?",
-                     *now.pose_age);
-  } else if (!now.problem.empty()) {
-    status->summary(Status::WARN, now.problem);
-  } else {
-    status->summaryf(Status::OK, "maps of %lu contacts", static_cast<unsigned long>(now.lines));
+  summarizeArrivals(now, status);
+  if (!now.journal_end.empty()) status->mergeSummary(Status::WARN, now.journal_end);
+  const auto since_left_out = std::chrono::steady_clock::now() - now.left_out_at;
+  if (!now.left_out.empty() && since_left_out < kLeftOutShown) {
+    status->mergeSummary(Status::WARN, now.left_out);
   }
   addValues(now, status);
 }

@@ -56,7 +56,7 @@ std::string RosRobot::toolProblem() const {
                                        << " in its axes) from where the joints and the arm's "
                                           "description have it; motions are planned so that tf "
                                           "arrives");
-  return toolGapProblem(*T_tool_seen, commands_->toolGapLimits());
+  return toolGapProblem(*T_tool_seen, commands_->toolGapLimits(), commands_->descriptionSource());
 }
 
 }  // namespace smore

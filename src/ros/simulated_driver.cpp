@@ -68,7 +68,9 @@ class ArmDriver : public SimulatedDriver {
     return {stampedTransform(names().base, controller_, T_base_base_link_.inverse(), ros::Time())};
   }
 
-  visualization_msgs::MarkerArray linkMarkers() const override { return robotMarkers(*urdf_); }
+  visualization_msgs::MarkerArray linkMarkers() const override {
+    return robotMarkers(*urdf_.model);
+  }
 
  private:
   /// The frame that a controller of Universal Robots calls its base.

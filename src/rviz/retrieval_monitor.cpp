@@ -88,6 +88,7 @@ RetrievalView RetrievalMonitor::view() {
   forces_ = 0;
   view_.up = status_.getNumPublishers() > 0;
   view_.active = view_.active && view_.up;
+  if (!view_.active) view_.risk.reset();  // nobody goes that way any more
   view_.phase = phaseOf(view_, phase_);
   view_.statuses.clear();
   for (const auto& [name, told] : told_) {

@@ -38,7 +38,7 @@ struct RetrievalView {
   std::string outcome;  ///< how the last goal ended; empty: none has
   bool succeeded = false;
   unsigned contacts = 0, plans = 0;  ///< of the present goal, or the last one
-  std::optional<double> risk;        ///< of the present plan, in [0, 1]
+  std::optional<double> risk;        ///< of the present plan of the present goal, in [0, 1]
   std::optional<double> force;       ///< mean since the last view, bias and weight taken off [N]
   std::string fault;          ///< why the guard lets nothing move; empty: it does, or is none
   bool reconstructs = false;  ///< whether the task is to reconstruct

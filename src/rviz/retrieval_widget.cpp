@@ -16,6 +16,9 @@ namespace {
 constexpr int kLookPeriod = 100;  // [ms]
 constexpr int kHundred = 100;     // steps of the slider
 
+// What the mapping tells once a second may be older than the slider's last move. Our choice.
+constexpr int kOlderThanMove = 3000;  // [ms]
+
 struct Level {
   const char* word;
   QColor color;
@@ -165,7 +168,7 @@ QLayout* RetrievalWidget::makeShownRow() {
   shown_->setObjectName("shown");
   shown_->setRange(1, kHundred);
   QObject::connect(shown_, &QSlider::valueChanged, this, [this](int hundredths) {
-    follows_shown_ = false;
+    shown_moved_.start();
     commands_->showFrom(static_cast<double>(hundredths) / kHundred);
   });
   return makeSliderRow(shown_label_, shown_);
@@ -189,9 +192,12 @@ QLayout* RetrievalWidget::makeWorldRow() {
   return makeSliderRow(world_label_, world);
 }
 
+// The slider may not leave the hand that moves it; else it stands where anybody has set it.
 void RetrievalWidget::followShown(const RetrievalView& view) {
   const auto maps = view.statuses.find("mapping: maps");
-  if (follows_shown_ && maps != view.statuses.end()) {
+  const bool is_moved = shown_->isSliderDown() ||
+                        (shown_moved_.isValid() && !shown_moved_.hasExpired(kOlderThanMove));
+  if (!is_moved && maps != view.statuses.end()) {
     const QSignalBlocker no_wish(shown_);
     const std::string told = maps->second.value("shown from probability", "0");
     shown_->setValue(

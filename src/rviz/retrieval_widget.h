@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QCheckBox>
+#include <QElapsedTimer>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -57,7 +58,7 @@ class RetrievalWidget : public QWidget {
   std::vector<std::pair<QPushButton*, std::string>> buttons_;  ///< and their commands
   QSlider* shown_ = nullptr;  ///< least probability of the voxels shown, in hundredths
   QLabel *shown_label_ = nullptr, *world_label_ = nullptr;
-  bool follows_shown_ = true;  ///< until it is moved: what the mapping shows by itself
+  QElapsedTimer shown_moved_;  ///< since it was moved last
   QTimer timer_;
   RetrievalCommands::Goal goal_;  ///< that is marked
 };

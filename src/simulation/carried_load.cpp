@@ -14,14 +14,15 @@ constexpr double kAngleTolerance = 5e-4;  // [rad]: 0.03 mm at the pads
 
 std::vector<double> fingerVariables(const KinematicTree& gripper, double angle) {
   if (gripper.jointNames().size() > 1) {
-    throw InputError("URDF: the gripper must have one joint that all its others mimic");
+    throw InputError(gripper.source() +
+                     ": the gripper must have one joint that all its others mimic");
   }
   return std::vector<double>(gripper.jointNames().size(), angle);
 }
 
 // Shapes of a link, in the tool's frame.
 std::vector<Shape> shapesAt(const UrdfModel& urdf, const TreeLink& link, const Pose& T_tool_link) {
-  std::vector<Shape> shapes = collisionShapes(*urdf->getLink(link.name));
+  std::vector<Shape> shapes = collisionShapes(urdf, link.name);
   for (Shape& shape : shapes) shape.pose = T_tool_link * shape.pose;
   return shapes;
 }

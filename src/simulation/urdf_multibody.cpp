@@ -34,7 +34,8 @@ MassProperties massOf(const urdf::Link& link) {
 }
 
 UrdfMultibody::UrdfMultibody(const UrdfModel& urdf, const std::string& root,
-                             const std::string& last, const Pose& T_world_root, double step) {
+                             const std::string& last, const Pose& T_world_root, double step)
+    : source_(urdf.source) {
   const KinematicTree tree(urdf, root);
   collectParts(urdf, tree, tree.linkIndex(last));
   buildBody(tree, T_world_root);
@@ -75,11 +76,11 @@ void UrdfMultibody::addLink(const UrdfModel& urdf, const TreeLink& link, const P
                             Part* part) {
   const urdf::Link& described = *urdf->getLink(link.name);
   if (described.parent_joint && described.parent_joint->mimic && link.variable >= 0) {
-    throw InputError("URDF: joint " + described.parent_joint->name +
+    throw InputError(source_ + ": joint " + described.parent_joint->name +
                      ": mimic joints are known in a gripper beyond the wrist sensor only");
   }
   part->masses.push_back(transformMass(T_part_link, massOf(described)));
-  for (Shape shape : collisionShapes(described)) {
+  for (Shape shape : collisionShapes(urdf, link.name)) {
     shape.pose = T_part_link * shape.pose;
     part->shapes.push_back(std::move(shape));
     part->names.push_back(link.name);
@@ -109,7 +110,7 @@ void UrdfMultibody::buildBody(const KinematicTree& tree, const Pose& T_world_roo
 void UrdfMultibody::addJoint(const TreeLink& link, int index) {
   const Part& part = parts_[static_cast<size_t>(index) + 1];
   if (part.mass.mass <= 0.0) {
-    throw InputError("URDF: link " + link.name +
+    throw InputError(source_ + ": link " + link.name +
                      ": a moving part needs a mass; add <inertial> to it");
   }
   const Part& parent = parts_[static_cast<size_t>(part.parent)];
@@ -141,7 +142,7 @@ void UrdfMultibody::addCollider(int index) {
 
 void UrdfMultibody::addMotor(const urdf::Joint& joint, int index, double step) {
   if (!joint.limits) {
-    throw InputError("URDF: joint " + joint.name +
+    throw InputError(source_ + ": joint " + joint.name +
                      ": needs limits; add <limit lower upper velocity effort>");
   }
   const urdf::JointLimits& limits = *joint.limits;

@@ -84,6 +84,7 @@ class UrdfMultibody {
   void addMotor(const urdf::Joint& joint, int index, double step);
   void updateColliders();
 
+  std::string source_;       ///< of the URDF, for messages
   std::vector<Part> parts_;  ///< the base first; part i is link i - 1 of the multi-body
   Pose T_part_last_ = Pose::Identity();
   std::vector<std::string> joint_names_;

@@ -33,6 +33,7 @@ class ContactSensingTest : public ::testing::Test {
       const auto observation = sensing_.process(sample);
       EXPECT_TRUE(observation);
       observations.push_back(*observation);
+      if (sensing_.endedWithoutLine()) ++lineless_;
     }
     return observations;
   }
@@ -48,6 +49,7 @@ class ContactSensingTest : public ::testing::Test {
   const Wrench bias_{Vec3(3, -2, 1), Vec3(0.1, 0.2, 0.3)};
   ContactSensing sensing_;
   int n_ = 0;
+  int lineless_ = 0;  ///< contacts that ended without a line
 };
 
 TEST_F(ContactSensingTest, givesOneLineInEachContactThroughTheContactPoint) {
@@ -72,6 +74,23 @@ TEST_F(ContactSensingTest, leavesInertiaOutOfTheLine) {
   const auto lines = linesOf(hold({Vec3(10, 0, 0), Vec3::Zero()}, 100));
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_TRUE(lines[0].direction.isApprox(Vec3(1, 0, 0), 1e-9));
+}
+
+// As a heavy thing that bounces off.
+TEST_F(ContactSensingTest, tellsOnceOfEachContactThatEndedBeforeItGaveALine) {
+  const Wrench push{Vec3(8, 0, 0), Vec3::Zero()};
+  for (int touch = 1; touch <= 2; ++touch) {
+    EXPECT_EQ(hold(push, 12).back().contact_id, touch);
+    EXPECT_EQ(lineless_, touch - 1) << "it lasts still";
+    EXPECT_TRUE(linesOf(hold({}, 50)).empty());
+    EXPECT_EQ(lineless_, touch);
+  }
+  for (const int samples : {24, 300}) {  // less than a whole average, and more
+    std::size_t lines = linesOf(hold(push, samples)).size();
+    lines += linesOf(hold({}, 50)).size();
+    EXPECT_EQ(lines, 1u);
+    EXPECT_EQ(lineless_, 2);
+  }
 }
 
 TEST_F(ContactSensingTest, saysUnsureWhileItTares) {

@@ -67,11 +67,18 @@ TEST(DescribedArm, keepsTheGripperAndTakesTheLimits) {
   EXPECT_EQ(ours.limits()[0].max, 1.5);  // as the description restricts the first joint
 }
 
+TEST(DescribedArm, namesBothThatItIsMadeOf) {
+  const UrdfModel described = parseUrdf(description(), "the test's description");
+  const std::string source = describedArm(scenarioWith(RobotKind::kUr5e), described).source;
+  EXPECT_EQ(source, "the built-in ur5e_2f85.urdf with the joints of the test's description");
+}
+
 TEST(DescribedArm, refusesAnotherArm) {
   EXPECT_EQ(problemOf(RobotKind::kUr5e, description()), "");
   EXPECT_NE(problemOf(RobotKind::kUr10e, description()).find("nominal arm"), std::string::npos);
-  EXPECT_NE(problemOf(RobotKind::kUr5e, replaced("elbow_joint", "joint_3")).find("elbow_joint"),
-            std::string::npos);
+  EXPECT_EQ(problemOf(RobotKind::kUr5e, replaced("elbow_joint", "joint_3"))
+                .find("the test's description: joint elbow_joint: "),
+            0U);
   EXPECT_NE(
       problemOf(RobotKind::kUr5e, replaced("\"forearm_link\"", "\"fore_link\"")).find("it joins"),
       std::string::npos);

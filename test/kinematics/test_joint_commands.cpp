@@ -28,7 +28,8 @@ TEST_F(JointCommandsOfAnArm, goWhereTheDescriptionHasItWhereBothAgree) {
   const auto motion = commands_->along(toList(q_), scenario_.start, {scenario_.start, goal()});
   ASSERT_TRUE(motion) << motion.reason();
   EXPECT_LT(gapBetween(endOf(*motion), goal()), 1e-6);
-  EXPECT_EQ(toolGapProblem(*commands_->toolGap(toList(q_), scenario_.start), kNominalToolGap), "");
+  EXPECT_EQ(toolGapProblem(*commands_->toolGap(toList(q_), scenario_.start), kNominalToolGap, ""),
+            "");
 }
 
 TEST_F(JointCommandsOfAnArm, beginWithoutAJumpWhereTheObjectIsSeenElsewhere) {
@@ -48,26 +49,27 @@ TEST_F(JointCommandsOfAnArm, nameATcpThatIsSet) {
   const Pose seen = T_world_tool * T_flange_tcp * arm_.T_tool_object();
   const Pose gap = *commands_->toolGap(toList(q_), seen);
   EXPECT_LT(gapBetween(gap, T_flange_tcp), 1e-9);
-  const std::string problem = toolGapProblem(gap, kNominalToolGap);
+  const std::string problem = toolGapProblem(gap, kNominalToolGap, commands_->descriptionSource());
   EXPECT_NE(problem.find("(0.0000, 0.0100, 0.1500) m"), std::string::npos) << problem;
   EXPECT_NE(problem.find("TCP"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("ur5e_2f85.urdf"), std::string::npos) << problem;
 }
 
 TEST_F(JointCommandsOfAnArm, nameATurnedTool) {
   const Pose turned = makePose(Vec3::Zero(), Vec3(0, 0, 0.1));
-  EXPECT_NE(toolGapProblem(turned, kNominalToolGap).find("turned by 0.1000 rad"),
+  EXPECT_NE(toolGapProblem(turned, kNominalToolGap, "").find("turned by 0.1000 rad"),
             std::string::npos);
-  EXPECT_EQ(toolGapProblem(makePose(Vec3(0.009, 0, 0), Vec3(0.04, 0, 0)), kNominalToolGap), "");
+  EXPECT_EQ(toolGapProblem(makePose(Vec3(0.009, 0, 0), Vec3(0.04, 0, 0)), kNominalToolGap, ""), "");
 }
 
 // A TCP of a few millimetres could be a calibration, unless that is known.
 TEST_F(JointCommandsOfAnArm, tellASmallTcpFromACalibrationThatIsDescribed) {
   const Pose small = makePose(Vec3(0, 0, 0.004));
-  EXPECT_EQ(toolGapProblem(small, commands_->toolGapLimits()), "");
+  EXPECT_EQ(toolGapProblem(small, commands_->toolGapLimits(), ""), "");
   const UrdfModel arm = armUrdf(RobotKind::kUr5e);
   arm->joints_.at("elbow_joint")->parent_to_joint_origin_transform.position.y += 0.0003;
   const auto calibrated = makeJointCommands(scenario_, describedArm(scenario_, arm));
-  const std::string problem = toolGapProblem(small, calibrated->toolGapLimits());
+  const std::string problem = toolGapProblem(small, calibrated->toolGapLimits(), "");
   EXPECT_NE(problem.find("TCP"), std::string::npos) << problem;
   EXPECT_NE(problem.find("allowed are 0.0020 m"), std::string::npos) << problem;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <random>
 
+#include "../common/refusal.h"
 #include "smore/common/result.h"
 #include "smore/kinematics/arm_model.h"
 
@@ -107,7 +108,7 @@ TEST_P(UrArm, hasNoGapBetweenNeighbouringLinks) {
   std::optional<Bounds> before;
   for (const char* name : {"base_link_inertia", "shoulder_link", "upper_arm_link", "forearm_link",
                            "wrist_1_link", "wrist_2_link", "wrist_3_link", "gripper_base_link"}) {
-    std::vector<Shape> shapes = collisionShapes(*urdf_->getLink(name));
+    std::vector<Shape> shapes = collisionShapes(urdf_, name);
     const int index = arm_.tree().linkIndex(name);
     for (Shape& shape : shapes) shape.pose = poses[static_cast<std::size_t>(index)] * shape.pose;
     const Bounds bounds = boundsOf(shapes);
@@ -162,7 +163,7 @@ std::pair<double, double> extent(int axis, double finger, const std::string& onl
   for (size_t i = 0; i < poses.size(); ++i) {
     const std::string& name = gripper.links()[i].name;
     if (name.find(only) == std::string::npos) continue;
-    std::vector<Shape> shapes = collisionShapes(*urdf->getLink(name));
+    std::vector<Shape> shapes = collisionShapes(urdf, name);
     if (shapes.empty()) continue;
     for (Shape& shape : shapes) shape.pose = poses[i] * shape.pose;
     const Bounds bounds = boundsOf(shapes);
@@ -177,6 +178,28 @@ TEST(Urdf, gripperHasTheSizeAndStrokeOfItsDataSheet) {
   EXPECT_NEAR(open.second - open.first, 0.1486, 0.006);
   EXPECT_NEAR(2.0 * extent(1, 0.0, "left_finger").first, 0.085, 1e-3);
   EXPECT_NEAR(2.0 * extent(1, 0.8, "left_finger").first, 0.0, 1e-3);
+}
+
+TEST(Urdf, whatIsBadInADescriptionIsToldWithItsFile) {
+  const auto bad = [](const std::string& in_link, const std::string& joint) {
+    return parseUrdf(R"(<robot name="bad"><link name="base_link">)" + in_link +
+                         R"(</link><link name="hand"/><joint name="wrist" type=")" + joint +
+                         R"("><parent link="base_link"/><child link="hand"/></joint></robot>)",
+                     "my_arm.urdf");
+  };
+  const auto mesh = R"(<collision><geometry><mesh filename="a.stl"/></geometry></collision>)";
+  const auto begins = [](const std::string& problem, const std::string& words) {
+    EXPECT_EQ(problem.find("my_arm.urdf: " + words), 0U) << problem;
+  };
+  begins(refusalOf([&] { return collisionShapes(bad(mesh, "fixed"), "base_link"); }),
+         "link base_link: ");
+  begins(refusalOf([&] { return KinematicTree(bad("", "floating"), "base_link"); }),
+         "joint wrist: ");
+  begins(refusalOf([&] { return KinematicTree(bad("", "fixed"), "base"); }), "there is no link");
+  begins(refusalOf([&] { return ArmModel(bad("", "fixed")); }), "there is no link");
+  ArmFrames frames;
+  frames.tool = "hand";
+  begins(refusalOf([&] { return ArmModel(bad("", "fixed"), frames); }), "there are 0 moving");
 }
 
 TEST(Urdf, badDescriptionsAreRefusedWithTheirReason) {

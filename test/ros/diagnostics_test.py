@@ -11,7 +11,7 @@ from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from octomap_msgs.msg import Octomap
 from std_srvs.srv import Trigger
 
-from node_testing import PERIOD, Recorder, WristSource, pose, start_node, stamped
+from node_testing import PERIOD, Recorder, Warnings, WristSource, pose, start_node, stamped, wait_until
 from smore.srv import PlanPath
 
 STATUSES = [
@@ -56,6 +56,7 @@ class Diagnostics(unittest.TestCase):
     def setUpClass(cls):
         start_node("diagnostics_test")
         cls.diagnostics = Recorder("/diagnostics", DiagnosticArray)
+        cls.warnings = Warnings(rospy.resolve_name("force_torque"))
         cls.source = WristSource()
         assert cls.source.wait_for_listener()
         for name in STATUSES:
@@ -104,6 +105,16 @@ class Diagnostics(unittest.TestCase):
         self.assertEqual(values(sensor)["contact force [N]"], "5")
         self.assertGreater(float(values(told)["memory [MiB]"]), 1.0)
         self.assertIsNotNone(sized)
+
+    def test_contacts_that_give_no_line_are_told(self):
+        stamp = rospy.Time.now()
+        for force in 150 * [1.0] + 12 * [9.0] + 20 * [1.0]:  # a contact of 24 ms
+            stamp += rospy.Duration.from_sec(PERIOD)
+            self.source.send(stamp=stamp, force=(force, 0.0, 0.0))
+        told = self.expect("force_torque: sensor", DiagnosticStatus.WARN, "without a line")
+        self.assertEqual(values(told)["contacts without a line"], "1")
+        self.assertIsNotNone(self.warnings.wait_for("raise contact_force"))
+        self.assertTrue(wait_until(lambda: rospy.Time.now() > stamp), "nothing comes before its time")
 
     def test_dropped_wrenches_and_saturated_ones_are_told(self):
         with LiveSensor(self.source, frame=""):

@@ -6,10 +6,12 @@ import math
 import os
 import struct
 import tempfile
+import threading
 import unittest
 
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 from dynamic_reconfigure.client import Client
 from octomap_msgs.msg import Octomap, OctomapWithPose
 from octomap_msgs.srv import GetOctomap
@@ -73,6 +75,27 @@ class MappingNode(unittest.TestCase):
         maps = self.maps_at(later, timeout=0.1)
         self.assertFalse(maps.success)
         self.assertIn("up to the time", maps.message)
+
+    def test_callers_that_wait_hold_up_nobody_else(self):
+        stamp = self.maps_at(self.source.touch()).stamp
+        request = TwinMapsRequest(not_before=stamp + rospy.Duration(1.0), timeout=rospy.Duration(60.0))
+        answers = []
+        wait = lambda: answers.append(rospy.ServiceProxy("twin_maps", TwinMaps)(request))
+        callers = [threading.Thread(target=wait, daemon=True) for _ in range(8)]
+        for caller in callers:
+            caller.start()
+        self.assertTrue(wait_until(lambda: answers), "seven wait, and one more is refused")
+        self.assertIn("7 callers wait already", answers[0].message)
+        self.assertTrue(self.maps_at(stamp).success)
+        self.assertEqual(rospy.ServiceProxy("world/octomap_full", GetOctomap)().map.header.stamp, stamp)
+        diagnostics = Recorder("/diagnostics", DiagnosticArray)
+        self.addCleanup(diagnostics.close)
+        told = lambda array: any(status.name == "mapping: maps" for status in array.status)
+        self.assertIsNotNone(diagnostics.wait_for(told))
+        self.source.stay(1.1)
+        for caller in callers:
+            caller.join()
+        self.assertEqual([bool(answer.success) for answer in answers], [False] + 7 * [True])
 
     def test_evidence_comes_in_parts_and_anew_after_a_reset(self):
         first = self.maps_at(self.source.touch()).evidence

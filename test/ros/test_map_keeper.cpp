@@ -2,6 +2,8 @@
 // What a mapping node learnt outlives it: journal, loading, observations that do not fit.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "../scenario/temporary_directory.h"
 #include "keeper_feeding.h"
 #include "smore/common/result.h"
@@ -65,13 +67,27 @@ TEST(MapKeeper, leavesOutAnObservationThatDoesNotFitAndTellsItOnce) {
   far.T_world_object = makePose({1e6, 0.0, 0.0});
   keeper.push(far);
   feed(&keeper, touches(1, 1.0, 1));
-  const auto problem = keeper.takeProblem();
-  ASSERT_TRUE(problem);
-  EXPECT_NE(problem->find("outside of the maps"), std::string::npos) << *problem;
-  EXPECT_FALSE(keeper.takeProblem());
+  const std::string problem = keeper.takeProblems().left_out;
+  EXPECT_NE(problem.find("outside of the maps"), std::string::npos) << problem;
+  EXPECT_EQ(keeper.takeProblems().left_out, "");
   MapKeeper other(emptyMaps(MethodKind::kSmore), kSpacing);
   feed(&other, touches(1, 1.0, 1));
   expectSameState(other, keeper);
+}
+
+TEST(MapKeeper, tellsTheEndOfTheJournalWhateverElseGoesWrong) {
+  const TemporaryDirectory directory;
+  MapKeeper keeper(
+      emptyMaps(MethodKind::kSmore), kSpacing,
+      std::make_unique<EvidenceJournal>(directory.path() + "/run", source(MethodKind::kSmore)));
+  std::filesystem::remove_all(directory.path() + "/run");
+  keeper.reset();  // which would begin a new file
+  ContactObservation far = touches(1, 0.0, 1).front();
+  far.T_world_object = makePose({1e6, 0.0, 0.0});
+  feed(&keeper, {far});
+  const KeeperProblems problems = keeper.takeProblems();
+  EXPECT_NE(problems.journal_end.find("the journal ends here"), std::string::npos);
+  EXPECT_NE(problems.left_out.find("outside of the maps"), std::string::npos);
 }
 
 // What its thread holds in its hands at a reset is forgotten, too.

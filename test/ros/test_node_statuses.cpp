@@ -132,6 +132,21 @@ TEST(SensorStatus, isAnErrorWhileSamplesAreAtTheEndOfTheRange) {
   expectStatus(told(&status, report), Status::OK, "tared");
 }
 
+TEST(SensorStatus, warnsOfContactsThatEndedWithoutALineAndCountsThem) {
+  SensorStatus status;
+  SensorReport report = tared();
+  report.lineless = 2;
+  expectStatus(told(&status, report), Status::WARN, "2 contacts ended");
+  report.lineless = 3;
+  report.bias_stddev = 0.6;
+  const Status both = told(&status, report);
+  expectStatus(both, Status::WARN, "known to 0.60 N only");
+  expectStatus(both, Status::WARN, "1 contacts ended");
+  EXPECT_EQ(valueOf(both, "contacts without a line"), "3");
+  report.bias_stddev = 0.1;
+  expectStatus(told(&status, report), Status::OK, "tared");
+}
+
 TEST(Saturation, isAnyAxisAtTheEndOfTheRangeOrBeyond) {
   const WrenchRange range = wristSensorRange(RobotKind::kUr5e);
   Wrench wrench;
@@ -161,13 +176,36 @@ TEST(MappingStatus, isStaleWithoutObservationsOrWithOldOnes) {
   expectStatus(told(report), Status::OK, "maps of 0 contacts");
 }
 
-TEST(MappingStatus, warnsOfMapsThatFallBehindAndOfWhatWasGivenUp) {
+TEST(MappingStatus, warnsOfMapsThatFallBehind) {
   MappingReport report;
   report.pose_age = 0.01;
-  report.problem = "the journal ends here";
-  expectStatus(told(report), Status::WARN, "the journal ends here");
   report.waiting = 5000;
   expectStatus(told(report), Status::WARN, "5000 observations wait");
+}
+
+TEST(MappingStatus, warnsOfAnObservationThatWasLeftOutForTenSeconds) {
+  MappingReport report;
+  report.pose_age = 0.01;
+  note(KeeperProblems{"observation left out", ""}, &report);
+  note(KeeperProblems{}, &report);
+  expectStatus(told(report), Status::WARN, "observation left out");
+  report.left_out_at -= std::chrono::seconds(10);
+  expectStatus(told(report), Status::OK, "maps of 0 contacts");
+}
+
+TEST(MappingStatus, warnsOfTheJournalsEndForGoodAndBesideAllElse) {
+  MappingReport report;
+  report.pose_age = 0.01;
+  note(KeeperProblems{"", "the journal ends here"}, &report);
+  note(KeeperProblems{"observation left out", ""}, &report);
+  expectStatus(told(report), Status::WARN, "the journal ends here");
+  expectStatus(told(report), Status::WARN, "observation left out");
+  report.left_out_at -= std::chrono::hours(1);
+  report.waiting = 5000;
+  expectStatus(told(report), Status::WARN, "the journal ends here");
+  expectStatus(told(report), Status::WARN, "5000 observations wait");
+  report.pose_age.reset();
+  expectStatus(told(report), Status::STALE, "the journal ends here");
 }
 
 TEST(MappingStatus, givesTheSizesOfTheMapsOnceSomebodyHasAskedForThem) {

@@ -21,7 +21,9 @@ TEST_F(Panel, BringsTheObjectToTheGoal) {
   ASSERT_TRUE(panel_.click(RetrievalCommands::kRetrieve));
   ASSERT_TRUE(panel_.shows("phase", "moving along the way"));
   EXPECT_FALSE(panel_.button(RetrievalCommands::kRetrieve)->isEnabled()) << "it has a goal";
+  EXPECT_FALSE(panel_.text("progress").contains("<b>-"));
   ASSERT_TRUE(panel_.shows("outcome", "reached")) << panel_.text("outcome").toStdString();
+  EXPECT_TRUE(panel_.shows("progress", "risk of the plan <b>-")) << "it has no goal";
   const QRegularExpression contacts("contacts <b>[1-9]");
   EXPECT_TRUE(contacts.match(panel_.text("progress")).hasMatch())
       << panel_.text("progress").toStdString();
@@ -97,6 +99,28 @@ TEST_F(Panel, ShowsHowTheNodesFare) {
   EXPECT_TRUE(panel_.shows("guard", "none"));
 }
 
+/// Whether the mapping comes to show voxels from this probability on.
+bool isShownFrom(double probability) {
+  return QTest::qWaitFor(
+      [&] {
+        double now = 0.0;
+        ros::param::get("/smore/mapping/display_min_probability", now);
+        return now == probability;
+      },
+      kDeadline);
+}
+
+/// As by dynamic_reconfigure, or another panel.
+void wishFromElsewhere(double probability) {
+  ros::NodeHandle node;
+  const ros::Publisher wish = node.advertise<std_msgs::Float64>("/smore/shown_probability", 1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return wish.getNumSubscribers() > 0; }, kDeadline));
+  std_msgs::Float64 message;
+  message.data = probability;
+  wish.publish(message);
+  EXPECT_TRUE(isShownFrom(probability));
+}
+
 TEST_F(Panel, ShowsVoxelsFromTheProbabilityOfTheSliderOn) {
   EXPECT_TRUE(panel_.shows("shown from", "P = 0.30")) << "the mapping's own";
   panel_.child<QSlider>("shown")->setValue(60);
@@ -105,7 +129,11 @@ TEST_F(Panel, ShowsVoxelsFromTheProbabilityOfTheSliderOn) {
       ros::topic::waitForMessage<std_msgs::Float64>("/smore/shown_probability", ros::Duration(10));
   ASSERT_TRUE(told);
   EXPECT_DOUBLE_EQ(told->data, 0.6);
+  EXPECT_TRUE(isShownFrom(0.6));
+  wishFromElsewhere(0.4);
+  EXPECT_TRUE(panel_.shows("shown from", "P = 0.40")) << "it follows again";
   panel_.child<QSlider>("shown")->setValue(30);
+  EXPECT_TRUE(isShownFrom(0.3));
 }
 
 TEST_F(Panel, PlansWithoutAMotion) {

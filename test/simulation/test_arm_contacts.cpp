@@ -68,7 +68,7 @@ TEST(ArmContacts, noLinkPassesThroughTheSceneUnreported) {
   for (size_t i = 0; i < static_cast<size_t>(tool); ++i) {
     if (arm.jointCountBefore(static_cast<int>(i)) == 0) continue;
     std::vector<Vec3> points;
-    for (const Shape& shape : collisionShapes(*urdf->getLink(arm.tree().links()[i].name))) {
+    for (const Shape& shape : collisionShapes(urdf, arm.tree().links()[i].name)) {
       const std::vector<Vec3> more = surfacePoints(shape);
       points.insert(points.end(), more.begin(), more.end());
     }

@@ -78,6 +78,10 @@ class ContactSensing {
   /// touch; nothing where it did not.
   const std::optional<Wrench>& newResidual() const { return residual_; }
 
+  /// Whether the last processed sample ended a contact that gave no line: its force had not come to
+  /// rest by then, or was below `line.min_force`.
+  bool endedWithoutLine() const { return ended_without_line_; }
+
   /// What the wrist carries from now on; a new tare begins.
   void setPayload(const Payload& payload);
   const Payload& payload() const { return compensator_.payload(); }
@@ -98,7 +102,8 @@ class ContactSensing {
   struct LineAverage {
     double confirmed_at;
     SteadyMean wrench;
-    bool given = false;
+    bool given = false;     ///< the average is over
+    bool has_line = false;  ///< and was no weaker than a line may be
   };
 
   ContactObservation observe(const WrenchSample& raw);
@@ -118,6 +123,7 @@ class ContactSensing {
   Wrench compensated_;
   Vec3 taken_off_ = Vec3::Zero();  ///< bias and weight in the last sample's force [N]
   std::optional<Wrench> residual_;
+  bool ended_without_line_ = false;
   std::optional<LineAverage> average_;  ///< of the present contact
   int averaged_contact_ = 0;            ///< contact that average_ belongs to
   std::optional<double> last_time_;

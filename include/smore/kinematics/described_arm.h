@@ -12,7 +12,8 @@ namespace smore {
 /// fixed between the links, meshes and what else hangs on it are not looked at.
 ///
 /// InputError where a joint is missing, hangs between other links, has no limits, or stands more
-/// than 5 cm or 0.1 rad from where the arm's own URDF has it: it is another arm's then.
+/// than 5 cm or 0.1 rad from where the arm's own URDF has it: it is another arm's then. The message
+/// names the source of `description`; that of the result names both.
 UrdfModel describedArm(const Scenario& scenario, const UrdfModel& description);
 
 /// Whether `arm`, of describedArm or armUrdf, carries a factory calibration: one of its joints

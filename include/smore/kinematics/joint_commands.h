@@ -41,6 +41,9 @@ class JointCommands {
   /// How large that gap may be: less where the description carries the arm's calibration
   /// (isCalibrated).
   virtual ToolGapLimits toolGapLimits() const { return kNominalToolGap; }
+
+  /// Where the arm's description comes from (UrdfModel::source); empty for a robot without.
+  virtual std::string descriptionSource() const { return ""; }
 };
 
 /// The joint commands of the scenario's robot; an arm is the maker's nominal one.

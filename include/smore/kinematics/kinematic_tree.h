@@ -35,6 +35,9 @@ class KinematicTree {
   /// Names of the joints that move by themselves: the order of the variables.
   const std::vector<std::string>& jointNames() const { return joint_names_; }
 
+  /// Where its URDF comes from, for messages.
+  const std::string& source() const { return source_; }
+
   /// Index of a link; InputError where there is none of this name.
   int linkIndex(const std::string& name) const;
 
@@ -46,6 +49,7 @@ class KinematicTree {
   int variableOf(const std::string& joint);
   void readJoint(const urdf::Joint& joint, TreeLink* link);
 
+  std::string source_;
   std::vector<TreeLink> links_;
   std::vector<std::string> joint_names_;
 };

@@ -20,7 +20,8 @@ constexpr ToolGapLimits kNominalToolGap = {0.01, 0.05};
 constexpr ToolGapLimits kCalibratedToolGap = {0.002, 0.01};
 
 /// Why no motion may begin where the tool is seen at T_tool_seen (JointCommands::toolGap), with the
-/// offset and the remedy; empty where it may.
-std::string toolGapProblem(const Pose& T_tool_seen, const ToolGapLimits& limits);
+/// offset and the remedy; empty where it may. `description`: where that of the arm comes from.
+std::string toolGapProblem(const Pose& T_tool_seen, const ToolGapLimits& limits,
+                           const std::string& description);
 
 }  // namespace smore

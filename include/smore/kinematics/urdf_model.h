@@ -12,8 +12,13 @@
 
 namespace smore {
 
-/// A robot description (URDF) as urdfdom reads it. Never null where it comes from here.
-using UrdfModel = urdf::ModelInterfaceSharedPtr;
+/// A robot description (URDF) as urdfdom reads it, which copies share, and where it comes from.
+struct UrdfModel {
+  urdf::ModelInterfaceSharedPtr model;  ///< never null where it comes from here
+  std::string source;                   ///< file or parameter that holds it, for messages
+
+  urdf::ModelInterface* operator->() const { return model.get(); }
+};
 
 /// Reads a URDF text; `source` names it in messages. InputError where it is malformed.
 UrdfModel parseUrdf(const std::string& xml, const std::string& source);
@@ -30,7 +35,8 @@ UrdfModel armUrdf(const Scenario& scenario);
 
 Pose toPose(const urdf::Pose& pose);
 
-/// The collision shapes of a link, in the link's frame. InputError for a mesh, with the remedy.
-std::vector<Shape> collisionShapes(const urdf::Link& link);
+/// The collision shapes of a link that is in `urdf`, in the link's frame. InputError for a mesh,
+/// with the remedy.
+std::vector<Shape> collisionShapes(const UrdfModel& urdf, const std::string& link);
 
 }  // namespace smore

@@ -57,22 +57,24 @@ struct SensorReport {
   double payload_mass = 0.0;       ///< taken off [kg]
   WrenchRange range;               ///< that it can measure
   std::uint64_t saturated = 0;     ///< samples at the end of it, since the beginning
+  std::uint64_t lineless = 0;      ///< contacts that ended without a line, since the beginning
 };
 
-/// What there is to say of a sensor after the sample of time `now` [s], but its range and
-/// saturation.
+/// What there is to say of a sensor after the sample of time `now` [s], but its range and what is
+/// counted.
 SensorReport reportOf(const ContactSensing& sensing, const ContactDetectorParameters& detector,
                       double now);
 
 /// Composes the listener's status `sensor`: bias, its uncertainty, saturation. STALE before the
 /// first tare, WARN where one is refused or the bias is too little known to tell free space, ERROR
-/// where samples since the last time were at the end of the sensor's range.
+/// where samples since the last time were at the end of the sensor's range. Beside that, WARN where
+/// contacts since the last time ended without a line of action.
 class SensorStatus {
  public:
   void compose(const SensorReport& now, Status* status);
 
  private:
-  std::uint64_t saturated_ = 0;  ///< when it was last composed
+  std::uint64_t saturated_ = 0, lineless_ = 0;  ///< when it was last composed
 };
 
 /// Whether an axis of the wrench is at the end of the range, or beyond: then it may be anything.

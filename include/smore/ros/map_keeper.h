@@ -49,10 +49,16 @@ struct Arrivals {
   std::optional<std::chrono::steady_clock::time_point> at;  ///< when that came; nothing before one
 };
 
+/// What went wrong in a keeper; empty where nothing did.
+struct KeeperProblems {
+  std::string left_out;     ///< why the newest observation that was left out does not fit
+  std::string journal_end;  ///< why the journal is no longer written, from now on
+};
+
 /// Takes observations into a twin map in a thread of its own, so that who hands them over never
 /// waits for a belief update. Nothing is dropped: the queue grows while an update runs. An
 /// observation that does not fit into the maps is left out, and a journal that can no longer be
-/// written ends; both are told (takeProblem) and stop nothing else.
+/// written ends; both are told (takeProblems) and stop nothing else.
 class MapKeeper {
  public:
   /// Makes the maps of what is known beforehand, always the same of the same; InputError where they
@@ -99,8 +105,8 @@ class MapKeeper {
   /// these cannot use what is known.
   void load(const Priors& priors, const std::vector<ContactObservation>& observations);
 
-  /// What went wrong since the last call; nothing where all is well.
-  std::optional<std::string> takeProblem();
+  /// What went wrong since the last call.
+  KeeperProblems takeProblems();
 
  private:
   void work();
@@ -127,7 +133,7 @@ class MapKeeper {
   MapState state_;
   ContactNumbering numbering_;
   std::unique_ptr<EvidenceJournal> journal_;
-  std::optional<std::string> problem_;
+  KeeperProblems problems_;  ///< that nobody has taken yet
 
   std::thread worker_;
 };

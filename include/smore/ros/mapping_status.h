@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -23,15 +24,20 @@ struct MappingReport {
   /// Voxels of each map when it was last given to somebody; nothing before.
   std::optional<std::size_t> world_voxels, object_voxels;
   double shown_from = 0.3;  ///< least probability of the voxels that are shown
-  std::string problem;      ///< the last one with observations or journal; empty: none
+  std::string journal_end;  ///< why the journal is no longer written; empty: it is, or is none
+  std::string left_out;     ///< why the last observation that was left out was; empty: none was
+  std::chrono::steady_clock::time_point left_out_at;  ///< when that was told
 };
 
 /// Puts into the report what has come and how old it is now.
 void note(const Arrivals& arrivals, MappingReport* report);
 
+/// Puts into the report what went wrong just now.
+void note(const KeeperProblems& problems, MappingReport* report);
+
 /// The mapping's status `maps`: sizes, memory of the process, age of the transform. STALE where no
-/// observations come, WARN where the maps fall behind them, or an observation or the journal was
-/// given up.
+/// observations come, WARN where the maps fall behind them. Beside that, and never hidden by it,
+/// WARN where an observation was left out in the last ten seconds, and from the journal's end on.
 void compose(const MappingReport& now, Status* status);
 
 /// Of this process, resident [bytes]; 0 where the system does not tell.
