@@ -47,12 +47,8 @@ class JointBelief : public TwinMap {
   /// has changed, where the pose is out of the range of voxel keys.
   void observe(const ContactObservation& observation) override;
   /// Both maps: valid until the next observation. See worlds().
-  const VoxelGrid& world() const override {
-    return marginals_.of(worlds(), MapSide::kWorld, parameters_.voxel_size);
-  }
-  const VoxelGrid& object() const override {
-    return marginals_.of(worlds(), MapSide::kObject, parameters_.voxel_size);
-  }
+  const VoxelGrid& world() const override { return marginals_.of(worlds(), MapSide::kWorld); }
+  const VoxelGrid& object() const override { return marginals_.of(worlds(), MapSide::kObject); }
   std::uint64_t revision() const override { return revision_; }
   void update() const override { worlds(); }
 
@@ -126,7 +122,7 @@ class JointBelief : public TwinMap {
   mutable std::map<std::pair<int, int>, EvidenceAtUnit> at_unit_;
   std::unique_ptr<std::mutex> inferring_ = std::make_unique<std::mutex>();
   mutable std::shared_ptr<const Worlds> worlds_;  ///< null while nobody has asked
-  mutable MarginalMaps marginals_;
+  mutable MarginalMaps marginals_{parameters_.voxel_size};
 };
 
 }  // namespace smore

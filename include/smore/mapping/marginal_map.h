@@ -21,9 +21,12 @@ VoxelGrid marginalMap(const Worlds& worlds, MapSide side, double voxel_size);
 /// and much memory, and plans do without. Several threads may ask.
 class MarginalMaps {
  public:
-  /// `worlds` not null, `voxel_size` [m] always the same. What was given for a side before is no
-  /// longer valid where the worlds are others.
-  const VoxelGrid& of(const std::shared_ptr<const Worlds>& worlds, MapSide side, double voxel_size);
+  /// `voxel_size` [m], positive.
+  explicit MarginalMaps(double voxel_size) : voxel_size_(voxel_size) {}
+
+  /// `worlds` not null. What was given for a side before is no longer valid where the worlds are
+  /// others.
+  const VoxelGrid& of(const std::shared_ptr<const Worlds>& worlds, MapSide side);
 
  private:
   struct Made {
@@ -31,6 +34,7 @@ class MarginalMaps {
     std::optional<VoxelGrid> map;
   };
 
+  double voxel_size_;
   std::unique_ptr<std::mutex> making_ = std::make_unique<std::mutex>();
   std::map<MapSide, Made> made_;
 };
