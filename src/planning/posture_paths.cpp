@@ -46,8 +46,8 @@ class Best {
 }  // namespace
 
 PosturePaths::PosturePaths(const RiskMotions& motions, const RiskSpace& space,
-                           const RiskObjective& objective)
-    : motions_(&motions), space_(space), objective_(objective) {}
+                           const PathValue& measure)
+    : motions_(&motions), space_(space), measure_(measure) {}
 
 std::vector<RiskPath> PosturePaths::best(const RiskState& start, const RiskState& goal, int tried,
                                          int kept, std::uint64_t seed) const {
@@ -57,7 +57,7 @@ std::vector<RiskPath> PosturePaths::best(const RiskState& start, const RiskState
       CounterRandom random(mixBits(seed, i));
       std::vector<RiskState> states = draw(start, goal, &random);
       if (states.empty() || !mayBeBelow(parts[part].limit(), states)) continue;
-      parts[part].offer(RiskPath(*motions_, objective_, std::move(states)));
+      parts[part].offer(RiskPath(*motions_, measure_, std::move(states)));
     }
   });
   Best all(kept);
@@ -106,9 +106,8 @@ bool PosturePaths::mayBeBelow(double limit, const std::vector<RiskState>& states
   const double turns =
       motions_->distance(states[0], states[1]) + motions_->distance(states[2], states[3]);
   return motions_
-      ->costUnless(
-          states[1], states[2],
-          [&](const MotionCost& part) { return turns + pathValue(part, objective_) > limit; })
+      ->costUnless(states[1], states[2],
+                   [&](const MotionCost& part) { return turns + measure_.atLeast(part) > limit; })
       .has_value();
 }
 

@@ -17,25 +17,16 @@ constexpr double kAxisShare = 0.5;
 constexpr double kSmallestMove = 0.2;
 constexpr double kSizesOfMoves = 20.0;
 
-// Worlds that would let pass a path against which all worlds speak: keeps its cost finite.
-constexpr double kLeastHope = 1e-6;
-
 }  // namespace
 
-double pathValue(const MotionCost& total, const RiskObjective& objective) {
-  double passing = kLeastHope;
-  for (const float touched : total.touching_length) passing += std::exp(-touched / objective.give);
-  return total.length - objective.touch_cost * std::log(passing / kHypotheses);
-}
-
-RiskPath::RiskPath(const RiskMotions& motions, const RiskObjective& objective,
+RiskPath::RiskPath(const RiskMotions& motions, const PathValue& measure,
                    std::vector<RiskState> states)
-    : motions_(&motions), objective_(objective), states_(std::move(states)) {
+    : motions_(&motions), measure_(measure), states_(std::move(states)) {
   for (std::size_t i = 1; i < states_.size(); ++i) {
     costs_.push_back(motions_->cost(states_[i - 1], states_[i]));
     total_ += costs_.back();
   }
-  value_ = pathValue(total_, objective_);
+  value_ = measure_.of(states_, total_);
 }
 
 void RiskPath::improve(const RiskSpace& space, int attempts, double distance,
@@ -79,7 +70,7 @@ void RiskPath::replace(int first, int last, const std::vector<RiskState>& inner)
   for (std::size_t i = last; i < costs_.size(); ++i) total += costs_[i];
   const auto hopeless = [&](const MotionCost& part) {
     MotionCost sum = total;
-    return pathValue(sum += part, objective_) > value_;
+    return measure_.atLeast(sum += part) > value_;
   };
   std::vector<RiskState> way = inner;
   way.push_back(states_[last]);
@@ -90,12 +81,16 @@ void RiskPath::replace(int first, int last, const std::vector<RiskState>& inner)
     costs.push_back(*cost);
     total += *cost;
   }
+  std::vector<RiskState> states(states_.begin(), states_.begin() + first + 1);
+  states.insert(states.end(), inner.begin(), inner.end());
+  states.insert(states.end(), states_.begin() + last, states_.end());
+  const double value = measure_.of(states, total);
+  if (value > value_) return;
   const auto rest = costs_.erase(costs_.begin() + first, costs_.begin() + last);
   costs_.insert(rest, costs.begin(), costs.end());
-  states_.erase(states_.begin() + first + 1, states_.begin() + last);
-  states_.insert(states_.begin() + first + 1, inner.begin(), inner.end());
+  states_ = std::move(states);
   total_ = total;
-  value_ = pathValue(total_, objective_);
+  value_ = value;
 }
 
 }  // namespace smore

@@ -41,9 +41,9 @@ void sortByValue(std::vector<RiskPath>* paths) {
 struct RiskPlanner::Search {
   double unit;  ///< of length [m]; all other lengths are in metres
   double step;  ///< longest edge of the trees
-  RiskObjective objective;
   RiskSpace space;
   RiskMotions motions;
+  PathValue measure;
   RiskState start;
   RiskState goal;
   std::shared_ptr<const Worlds> worlds;
@@ -63,6 +63,7 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
     : belief_(&belief), parameters_(parameters), space_(space), seed_(seed) {
   if (space_.motion == Motion::kSpatial) {
     parameters_.improvements = parameters.improvements_in_space;
+    parameters_.objective.surprises = parameters.surprises_in_space;
   }
 }
 
@@ -72,11 +73,15 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   const double unit = worlds->unit;
   const RiskObjective& objective = parameters_.objective;
   const RiskSpace space(space_, worlds->frame.T_map_world(), parameters_.lever * worlds->held);
+  const RiskMotions motions(worlds->sampled, space.lever(), space.fullTurns());
+  std::optional<SweptRoom> room;
+  if (objective.surprises > 0.0) room.emplace(*worlds, space, motions);
   Search search{unit,
                 parameters_.step * unit,
-                {objective.touch_cost * unit, objective.give * unit},
                 space,
-                RiskMotions(worlds->sampled, space.lever(), space.fullTurns()),
+                motions,
+                {{objective.touch_cost * unit, objective.give * unit, objective.surprises},
+                 room ? &*room : nullptr},
                 space.toState(start),
                 space.toState(goal),
                 worlds,
@@ -116,13 +121,13 @@ void RiskPlanner::addAlternatives(const Search& search, std::vector<RiskPath>* p
   for (std::vector<RiskState> states : alternatives_) {
     states.front() = search.start;
     states.back() = search.goal;
-    paths->emplace_back(search.motions, search.objective, std::move(states));
+    paths->emplace_back(search.motions, search.measure, std::move(states));
   }
 }
 
 void RiskPlanner::addPostures(const Search& search, std::vector<RiskPath>* paths) const {
   if (search.deadline.passed()) return;
-  const PosturePaths postures(search.motions, search.space, search.objective);
+  const PosturePaths postures(search.motions, search.space, search.measure);
   for (RiskPath& path : postures.best(search.start, search.goal, parameters_.postures,
                                       parameters_.kept_postures, ~search.seed)) {
     paths->push_back(std::move(path));
@@ -156,7 +161,7 @@ std::vector<RiskPath> RiskPlanner::climb(Search* search) const {
       if (!paths.empty()) trees = plant(*search);
       auto states = connect(&trees, limit, search);
       if (!states) break;
-      paths.emplace_back(search->motions, search->objective, std::move(*states));
+      paths.emplace_back(search->motions, search->measure, std::move(*states));
       paths.back().improve(search->space, parameters_.improvements, kMoveDistance * search->unit,
                            search->deadline, &search->random);
     }

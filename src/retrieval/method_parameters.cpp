@@ -72,7 +72,8 @@ ParameterSection plannerSection(RiskPlannerParameters* planner) {
            {"step", &planner->step, kLength},
            {"lever", &planner->lever, kLength},
            {"touch_cost", &planner->objective.touch_cost, kLength},
-           {"give", &planner->objective.give, kLength}}};
+           {"give", &planner->objective.give, kLength},
+           {"surprises_in_space", &planner->surprises_in_space, kStrength}}};
 }
 
 ParameterSection paperSection(PaperParameters* paper) {

@@ -75,20 +75,21 @@ TEST_P(RiskPlannerIn, ImprovesAPathByItsOwnMeasure) {
   JointBelief belief = emptyBelief(GetParam());
   block(0.3, &belief);
   constexpr double kLever = 3.0 * kUnit;
-  const RiskObjective objective = {200.0 * kUnit, 0.2 * kUnit};
   const RiskSpace space(spaceOf(GetParam()), Pose::Identity(), kLever);
   const std::shared_ptr<const Worlds> worlds = belief.worlds();
   const RiskMotions motions(worlds->sampled, kLever);
+  const SweptRoom room(*worlds, space, motions);
+  const PathValue measure({200.0 * kUnit, 0.2 * kUnit, 1.0}, &room);
   std::vector<RiskState> states;
   for (const double y : {0.0, 0.2, -0.3, 0.1, 0.3, 0.0}) {
     states.push_back(space.toState(makePose({-0.2 * static_cast<double>(states.size()), y, 0})));
   }
-  RiskPath path(motions, objective, states);
+  RiskPath path(motions, measure, states);
   const double before = path.value();
   CounterRandom random(3);
   path.improve(space, 40, 0.05, Deadline(60.0), &random);
   EXPECT_LT(path.value(), before);
-  const RiskPath anew(motions, objective, path.states());
+  const RiskPath anew(motions, measure, path.states());
   EXPECT_NEAR(path.value(), anew.value(), 1e-4);
 }
 

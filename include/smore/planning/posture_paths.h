@@ -15,7 +15,7 @@ namespace smore {
 class PosturePaths {
  public:
   /// `motions` is a view.
-  PosturePaths(const RiskMotions& motions, const RiskSpace& space, const RiskObjective& objective);
+  PosturePaths(const RiskMotions& motions, const RiskSpace& space, const PathValue& measure);
 
   /// The `kept` best of `tried` random ones, best first. The same seed gives the same ones.
   std::vector<RiskPath> best(const RiskState& start, const RiskState& goal, int tried, int kept,
@@ -30,7 +30,7 @@ class PosturePaths {
 
   const RiskMotions* motions_;
   RiskSpace space_;
-  RiskObjective objective_;
+  PathValue measure_;
 };
 
 }  // namespace smore

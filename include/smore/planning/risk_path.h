@@ -5,32 +5,17 @@
 
 #include "smore/common/deadline.h"
 #include "smore/mapping/counter_random.h"
+#include "smore/planning/path_value.h"
 #include "smore/planning/risk_motion.h"
 #include "smore/planning/risk_space.h"
 
 namespace smore {
 
-/// What a path is worth, as a length of motion:
-///
-///   J = length - touch_cost * log(mean over the worlds of exp(-touching length / give))
-///
-/// A world's say against a path grows with the length on which the path touches in it: matter is
-/// known only to some accuracy, so that a graze may well pass, and where every world objects, the
-/// path with the least to go through is still told from a hopeless one.
-struct RiskObjective {
-  double touch_cost = 200.0;  ///< what one nat of not arriving is worth in motion
-  double give = 0.2;          ///< accuracy of what is known of matter's place
-};
-
-/// J of a path, or the least that J can be for a path that has this as a part.
-double pathValue(const MotionCost& total, const RiskObjective& objective);
-
 /// A path with the costs of its motions, so that a change costs only what it changes.
 class RiskPath {
  public:
   /// At least two states. `motions` is a view.
-  RiskPath(const RiskMotions& motions, const RiskObjective& objective,
-           std::vector<RiskState> states);
+  RiskPath(const RiskMotions& motions, const PathValue& measure, std::vector<RiskState> states);
 
   const std::vector<RiskState>& states() const { return states_; }
   double value() const { return value_; }  ///< J, smaller is better
@@ -49,7 +34,7 @@ class RiskPath {
   void replace(int first, int last, const std::vector<RiskState>& inner);
 
   const RiskMotions* motions_;
-  RiskObjective objective_;
+  PathValue measure_;
   std::vector<RiskState> states_;
   std::vector<MotionCost> costs_;  ///< of the motion to each state but the first
   MotionCost total_;

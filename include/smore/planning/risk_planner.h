@@ -31,6 +31,7 @@ struct RiskPlannerParameters {
   /// ... and what a radian counts in it: half of the reach of what is held, in units of that.
   double lever = 3.0;
   RiskObjective objective;
+  double surprises_in_space = 1.0;  ///< RiskObjective::surprises in space; none in a plane
 };
 
 /// Least risk first, then length: bidirectional trees in the states whose risk stays below a limit,

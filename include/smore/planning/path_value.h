@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "smore/planning/risk_motion.h"
+#include "smore/planning/swept_room.h"
+
+namespace smore {
+
+struct RiskObjective {
+  double touch_cost = 200.0;  ///< what one nat of not arriving is worth in motion
+  double give = 0.2;          ///< accuracy of what is known of matter's place
+  /// How many touches so far came of matter that nobody knew of (SweptRoom); 0 leaves such matter
+  /// out.
+  double surprises = 0.0;
+};
+
+/// What a path is worth, as a length of motion:
+///
+///   J = length - touch_cost * log(mean over the worlds of s^surprises * exp(-touching length /
+///   give))
+///
+/// A world's say against a path grows with the length on which the path touches in it: matter is
+/// known only to some accuracy, so that a graze may well pass, and where every world objects, the
+/// path with the least to go through is still told from a hopeless one. s is how likely it is that
+/// the path meets no matter that nobody knows of, after one surprise (SweptRoom).
+class PathValue {
+ public:
+  /// `room` is a view; it may be null where there are no surprises.
+  PathValue(const RiskObjective& objective, const SweptRoom* room)
+      : objective_(objective), room_(room) {}
+
+  /// J of a path with these states and this cost.
+  double of(const std::vector<RiskState>& states, const MotionCost& total) const;
+
+  /// The least that J can be for a path that has this as a part.
+  double atLeast(const MotionCost& part) const;
+
+ private:
+  double ofHope(const MotionCost& total, const SweptRoom::Shares& shares) const;
+
+  RiskObjective objective_;
+  const SweptRoom* room_;
+};
+
+}  // namespace smore
