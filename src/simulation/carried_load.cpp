@@ -13,10 +13,6 @@ namespace {
 constexpr double kAngleTolerance = 5e-4;  // [rad]: 0.03 mm at the pads
 
 std::vector<double> fingerVariables(const KinematicTree& gripper, double angle) {
-  if (gripper.jointNames().size() > 1) {
-    throw InputError(gripper.source() +
-                     ": the gripper must have one joint that all its others mimic");
-  }
   return std::vector<double>(gripper.jointNames().size(), angle);
 }
 
@@ -46,11 +42,27 @@ bool fingersTouch(const Scenario& scenario, const UrdfModel& urdf, const Kinemat
 
 }  // namespace
 
+urdf::JointConstSharedPtr fingerJoint(const UrdfModel& urdf, const KinematicTree& gripper) {
+  if (gripper.jointNames().empty()) return nullptr;
+  if (gripper.jointNames().size() > 1) {
+    throw InputError(urdf.source + ": the gripper must have one joint that all its others mimic");
+  }
+  const std::string& name = gripper.jointNames().front();
+  urdf::JointConstSharedPtr joint = urdf->getJoint(name);
+  if (joint == nullptr || joint->limits == nullptr) {
+    throw InputError(urdf.source + ": the gripper's joint " + name +
+                     (joint == nullptr ? " is mimicked, but not there; add it"
+                                       : " has no limits; give it upper and velocity"));
+  }
+  return joint;
+}
+
 Result<double> graspAngle(const Scenario& scenario, const UrdfModel& urdf, const ArmFrames& frames,
                           const Pose& T_tool_object) {
   const KinematicTree gripper(urdf, frames.tool);
-  if (gripper.jointNames().empty()) return 0.0;
-  const double closed = urdf->getJoint(gripper.jointNames().front())->limits->upper;
+  const auto finger = fingerJoint(urdf, gripper);
+  if (finger == nullptr) return 0.0;
+  const double closed = finger->limits->upper;
   if (fingersTouch(scenario, urdf, gripper, T_tool_object, 0.0)) {
     return Failure{"the open gripper touches the object: it is too wide for the gripper"};
   }

@@ -20,10 +20,10 @@ GripperLoad::GripperLoad(const Scenario& scenario, const UrdfModel& urdf, const 
       T_tool_object_at_start_(T_tool_object),
       T_tool_object_(T_tool_object) {
   const KinematicTree gripper(urdf, frames.tool);
-  if (!gripper.jointNames().empty()) {
-    finger_joint_ = gripper.jointNames().front();
-    finger_speed_ = urdf->getJoint(finger_joint_)->limits->velocity;
-    finger_limit_ = urdf->getJoint(finger_joint_)->limits->upper;
+  if (const auto finger = fingerJoint(urdf, gripper)) {
+    finger_joint_ = finger->name;
+    finger_speed_ = finger->limits->velocity;
+    finger_limit_ = finger->limits->upper;
   }
   place(T_world_tool);
 }

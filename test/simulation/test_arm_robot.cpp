@@ -194,5 +194,25 @@ TEST(ArmRobot, needsAnObjectThatTheGripperCanHold) {
   EXPECT_THROW(makeSimulatedRobot(scenario, 1), InputError);
 }
 
+// Once a null pointer: what a finger's joint lacks is told.
+TEST(ArmRobot, TellsWhatTheDescriptionOfItsFingersLacks) {
+  std::ifstream built_in(SMORE_SOURCE_DIR "/urdf/ur5e_2f85.urdf");
+  std::stringstream text;
+  text << built_in.rdbuf();
+  Scenario scenario = ballInHand(makePose(Vec3(0.45, 0.1, 0.2)));
+  scenario.robot = RobotKind::kUrdf;
+  scenario.robot_urdf = testing::TempDir() + "endless_fingers.urdf";
+  std::ofstream(scenario.robot_urdf) << std::regex_replace(
+      text.str(), std::regex("(name=\"finger_joint\" type=\")revolute([^]*?)<limit[^>]*/>"),
+      "$1continuous$2", std::regex_constants::format_first_only);
+  try {
+    makeSimulatedRobot(scenario, 1);
+    FAIL() << "made";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("finger_joint has no limits"), std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace smore

@@ -35,9 +35,6 @@ class KinematicTree {
   /// Names of the joints that move by themselves: the order of the variables.
   const std::vector<std::string>& jointNames() const { return joint_names_; }
 
-  /// Where its URDF comes from, for messages.
-  const std::string& source() const { return source_; }
-
   /// Index of a link; InputError where there is none of this name.
   int linkIndex(const std::string& name) const;
 
