@@ -42,7 +42,7 @@ bool fingersTouch(const Scenario& scenario, const UrdfModel& urdf, const Kinemat
 
 }  // namespace
 
-urdf::JointConstSharedPtr fingerJoint(const UrdfModel& urdf, const KinematicTree& gripper) {
+urdf::JointConstSharedPtr describedFinger(const UrdfModel& urdf, const KinematicTree& gripper) {
   if (gripper.jointNames().empty()) return nullptr;
   if (gripper.jointNames().size() > 1) {
     throw InputError(urdf.source + ": the gripper must have one joint that all its others mimic");
@@ -60,7 +60,7 @@ urdf::JointConstSharedPtr fingerJoint(const UrdfModel& urdf, const KinematicTree
 Result<double> graspAngle(const Scenario& scenario, const UrdfModel& urdf, const ArmFrames& frames,
                           const Pose& T_tool_object) {
   const KinematicTree gripper(urdf, frames.tool);
-  const auto finger = fingerJoint(urdf, gripper);
+  const auto finger = describedFinger(urdf, gripper);
   if (finger == nullptr) return 0.0;
   const double closed = finger->limits->upper;
   if (fingersTouch(scenario, urdf, gripper, T_tool_object, 0.0)) {

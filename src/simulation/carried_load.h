@@ -10,7 +10,7 @@ namespace smore {
 
 /// The joint that opens and closes a gripper, with its limits; null for an arm without fingers.
 /// InputError where the description tells no limits of it, or has more than one such joint.
-urdf::JointConstSharedPtr fingerJoint(const UrdfModel& urdf, const KinematicTree& gripper);
+urdf::JointConstSharedPtr describedFinger(const UrdfModel& urdf, const KinematicTree& gripper);
 
 /// Finger angle [rad] at which the gripper's fingers, closing from open, are about to touch the
 /// scenario's object at a pose in the tool frame; 0 for an arm without fingers. The reason where

@@ -20,7 +20,7 @@ GripperLoad::GripperLoad(const Scenario& scenario, const UrdfModel& urdf, const 
       T_tool_object_at_start_(T_tool_object),
       T_tool_object_(T_tool_object) {
   const KinematicTree gripper(urdf, frames.tool);
-  if (const auto finger = fingerJoint(urdf, gripper)) {
+  if (const auto finger = describedFinger(urdf, gripper)) {
     finger_joint_ = finger->name;
     finger_speed_ = finger->limits->velocity;
     finger_limit_ = finger->limits->upper;
