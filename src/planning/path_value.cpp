@@ -18,7 +18,7 @@ SweptRoom::Shares certain() {
 }  // namespace
 
 double PathValue::of(const std::vector<RiskState>& states, const MotionCost& total) const {
-  if (objective_.surprises <= 0.0) return atLeast(total);
+  if (room_ == nullptr) return atLeast(total);
   SweptRoom::Shares shares = room_->noSurpriseAlong(states);
   for (double& share : shares) share = std::pow(share, objective_.surprises);
   return ofHope(total, shares);

@@ -182,11 +182,10 @@ class ForceTorqueNode {
     if (!sensing_.endedWithoutLine()) return;
     ++lineless_;
     if (lineless_warning_.isDue())
-      ROS_WARN_STREAM(
-          "a contact ended before its force had come to rest (line/settle, "
-          << parameters_.sensing.line.settle
-          << " s) and gave no line of action, so that little is learnt of it; where that goes on, "
-             "raise contact_force in the scenario, or lower object_mass of a simulated one");
+      ROS_WARN_STREAM("a contact ended before its force had come to rest (line/settle, "
+                      << parameters_.sensing.line.settle << " s), or was weaker than "
+                      << "line/min_force: it gave no line of action; where that goes on, raise "
+                      << "contact_force in the scenario, or lower object_mass of a simulated one");
   }
 
   /// The stamp is the wrench's own: a time in seconds is not as fine.

@@ -49,6 +49,13 @@ std_msgs::ColorRGBA shade(const MapColors& colors, float probability) {
 
 }  // namespace
 
+std_msgs::Header headerOf(const std::string& frame, const ros::Time& stamp) {
+  std_msgs::Header header;
+  header.stamp = stamp;
+  header.frame_id = frame;
+  return header;
+}
+
 MapColors worldColors() { return {Vec3::Zero(), Vec3::Ones()}; }
 
 MapColors objectColors() { return {Vec3(1.0, 0.94, 0.63), Vec3(0.48, 0.0, 0.06)}; }

@@ -12,13 +12,6 @@ namespace {
 
 constexpr double kMostWait = 60.0;  // [s] of a caller: threads are few, and end with the node
 
-std_msgs::Header headerIn(const std::string& frame, const ros::Time& stamp) {
-  std_msgs::Header header;
-  header.stamp = stamp;
-  header.frame_id = frame;
-  return header;
-}
-
 }  // namespace
 
 TwinMapsService::TwinMapsService(const FrameNames& frames, const MapKeeper* keeper)
@@ -51,8 +44,8 @@ void TwinMapsService::fill(const smore_msgs::TwinMaps::Request& request, const M
   response->revision = revisionOf(state);
   response->stamp.fromSec(state.stamp);
   if (request.with_octrees) {
-    response->world = fullOctomap(state.maps->world(), headerIn(frames_.world, response->stamp));
-    response->object = fullOctomap(state.maps->object(), headerIn(frames_.object, response->stamp));
+    response->world = fullOctomap(state.maps->world(), headerOf(frames_.world, response->stamp));
+    response->object = fullOctomap(state.maps->object(), headerOf(frames_.object, response->stamp));
   }
   if (!request.with_evidence) return;
   response->evidence = evidenceSince(state, request.epoch, request.evidence_from, frames_);

@@ -8,6 +8,7 @@
 
 namespace smore {
 
+/// How a path is valued (PathValue); its lengths in one unit, that of the path's.
 struct RiskObjective {
   double touch_cost = 200.0;  ///< what one nat of not arriving is worth in motion
   double give = 0.2;          ///< accuracy of what is known of matter's place
@@ -27,7 +28,7 @@ struct RiskObjective {
 /// the path meets no matter that nobody knows of, after one surprise (SweptRoom).
 class PathValue {
  public:
-  /// `room` is a view; it may be null where there are no surprises.
+  /// `room` is a view; where it is null, matter that nobody knows of is left out.
   PathValue(const RiskObjective& objective, const SweptRoom* room)
       : objective_(objective), room_(room) {}
 

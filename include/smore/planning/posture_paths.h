@@ -14,7 +14,7 @@ namespace smore {
 /// often than large ones. Trees that grow by small steps hardly ever find such ways in space.
 class PosturePaths {
  public:
-  /// `motions` is a view.
+  /// `motions` is a view, as is the room of `measure`.
   PosturePaths(const RiskMotions& motions, const RiskSpace& space, const PathValue& measure);
 
   /// The `kept` best of `tried` random ones, best first. The same seed gives the same ones.

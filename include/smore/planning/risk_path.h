@@ -14,7 +14,7 @@ namespace smore {
 /// A path with the costs of its motions, so that a change costs only what it changes.
 class RiskPath {
  public:
-  /// At least two states. `motions` is a view.
+  /// At least two states. `motions` is a view, as is the room of `measure`.
   RiskPath(const RiskMotions& motions, const PathValue& measure, std::vector<RiskState> states);
 
   const std::vector<RiskState>& states() const { return states_; }

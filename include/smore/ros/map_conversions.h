@@ -13,6 +13,9 @@
 
 namespace smore {
 
+/// Of a map in this frame, as it was at `stamp`.
+std_msgs::Header headerOf(const std::string& frame, const ros::Time& stamp);
+
 /// The grid as an octree with its probabilities, as octomap clients read it.
 octomap_msgs::Octomap fullOctomap(const VoxelGrid& grid, const std_msgs::Header& header);
 

@@ -53,12 +53,7 @@ class MapPublisher {
     cells_.send(revision, [&] { return cellMarkers(grid, colors_, min_probability_, header); });
   }
 
-  std_msgs::Header headerAt(const ros::Time& stamp) const {
-    std_msgs::Header header;
-    header.stamp = stamp;
-    header.frame_id = frame_;
-    return header;
-  }
+  std_msgs::Header headerAt(const ros::Time& stamp) const { return headerOf(frame_, stamp); }
 
  private:
   std::string frame_;
