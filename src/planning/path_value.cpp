@@ -9,27 +9,22 @@ namespace {
 // Worlds that would let pass a path against which all worlds speak: keeps its cost finite.
 constexpr double kLeastHope = 1e-6;
 
-SweptRoom::Shares certain() {
-  SweptRoom::Shares shares;
-  shares.fill(1.0);
-  return shares;
-}
-
 }  // namespace
 
-double PathValue::of(const std::vector<RiskState>& states, const MotionCost& total) const {
-  if (room_ == nullptr) return atLeast(total);
-  SweptRoom::Shares shares = room_->noSurpriseAlong(states);
-  for (double& share : shares) share = std::pow(share, objective_.surprises);
-  return ofHope(total, shares);
+PathValue::Along PathValue::along(const std::vector<RiskState>& states) const {
+  Along result;
+  result.objective_ = objective_;
+  result.no_surprise_.fill(1.0);
+  if (room_ == nullptr) return result;
+  result.no_surprise_ = room_->noSurpriseAlong(states);
+  for (double& share : result.no_surprise_) share = std::pow(share, objective_.surprises);
+  return result;
 }
 
-double PathValue::atLeast(const MotionCost& part) const { return ofHope(part, certain()); }
-
-double PathValue::ofHope(const MotionCost& total, const SweptRoom::Shares& shares) const {
+double PathValue::Along::of(const MotionCost& total) const {
   double hope = kLeastHope;
   for (int m = 0; m < kHypotheses; ++m) {
-    hope += shares[m] * std::exp(-total.touching_length[m] / objective_.give);
+    hope += no_surprise_[m] * std::exp(-total.touching_length[m] / objective_.give);
   }
   return total.length - objective_.touch_cost * std::log(hope / kHypotheses);
 }

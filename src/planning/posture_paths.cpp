@@ -105,10 +105,9 @@ Eigen::Quaternionf PosturePaths::turned(const RiskState& start, const RiskState&
 bool PosturePaths::mayBeBelow(double limit, const std::vector<RiskState>& states) const {
   const double turns =
       motions_->distance(states[0], states[1]) + motions_->distance(states[2], states[3]);
-  return motions_
-      ->costUnless(states[1], states[2],
-                   [&](const MotionCost& part) { return turns + measure_.atLeast(part) > limit; })
-      .has_value();
+  const PathValue::Along value = measure_.along(states);
+  const auto hopeless = [&](const MotionCost& part) { return turns + value.of(part) > limit; };
+  return motions_->costUnless(states[1], states[2], hopeless).has_value();
 }
 
 }  // namespace smore

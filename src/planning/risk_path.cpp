@@ -26,7 +26,7 @@ RiskPath::RiskPath(const RiskMotions& motions, const PathValue& measure,
     costs_.push_back(motions_->cost(states_[i - 1], states_[i]));
     total_ += costs_.back();
   }
-  value_ = measure_.of(states_, total_);
+  value_ = measure_.along(states_).of(total_);
 }
 
 void RiskPath::improve(const RiskSpace& space, int attempts, double distance,
@@ -65,32 +65,30 @@ void RiskPath::tryMove(const RiskSpace& space, double distance, CounterRandom* r
 }
 
 void RiskPath::replace(int first, int last, const std::vector<RiskState>& inner) {
+  std::vector<RiskState> states(states_.begin(), states_.begin() + first + 1);
+  states.insert(states.end(), inner.begin(), inner.end());
+  states.insert(states.end(), states_.begin() + last, states_.end());
   MotionCost total;
   for (int i = 0; i < first; ++i) total += costs_[i];
   for (std::size_t i = last; i < costs_.size(); ++i) total += costs_[i];
+  const PathValue::Along value = measure_.along(states);
   const auto hopeless = [&](const MotionCost& part) {
     MotionCost sum = total;
-    return measure_.atLeast(sum += part) > value_;
+    return value.of(sum += part) > value_;
   };
-  std::vector<RiskState> way = inner;
-  way.push_back(states_[last]);
   std::vector<MotionCost> costs;
-  for (std::size_t i = 0; i < way.size(); ++i) {
-    const auto cost = motions_->costUnless(i == 0 ? states_[first] : way[i - 1], way[i], hopeless);
+  for (std::size_t i = first; i <= first + inner.size(); ++i) {
+    const auto cost = motions_->costUnless(states[i], states[i + 1], hopeless);
     if (!cost) return;
     costs.push_back(*cost);
     total += *cost;
   }
-  std::vector<RiskState> states(states_.begin(), states_.begin() + first + 1);
-  states.insert(states.end(), inner.begin(), inner.end());
-  states.insert(states.end(), states_.begin() + last, states_.end());
-  const double value = measure_.of(states, total);
-  if (value > value_) return;
+  if (value.of(total) > value_) return;
   const auto rest = costs_.erase(costs_.begin() + first, costs_.begin() + last);
   costs_.insert(rest, costs.begin(), costs.end());
   states_ = std::move(states);
   total_ = total;
-  value_ = value;
+  value_ = value.of(total);
 }
 
 }  // namespace smore

@@ -51,7 +51,7 @@ class Room {
   double value(const std::vector<Pose>& path, const RiskObjective& objective) const {
     MotionCost cost;
     cost.length = 2.0;
-    return PathValue(objective, &room_).of(states(path), cost);
+    return PathValue(objective, &room_).along(states(path)).of(cost);
   }
 
  private:

@@ -32,15 +32,22 @@ class PathValue {
   PathValue(const RiskObjective& objective, const SweptRoom* room)
       : objective_(objective), room_(room) {}
 
-  /// J of a path with these states and this cost.
-  double of(const std::vector<RiskState>& states, const MotionCost& total) const;
+  /// What paths through the same states are worth, by what they cost.
+  class Along {
+   public:
+    /// J of a path that costs `total`, or the least that it can be where that is but a part.
+    double of(const MotionCost& total) const;
 
-  /// The least that J can be for a path that has this as a part.
-  double atLeast(const MotionCost& part) const;
+   private:
+    friend class PathValue;
+    RiskObjective objective_;
+    SweptRoom::Shares no_surprise_;  ///< s^surprises, by world
+  };
+
+  /// Of a path of at least one state: what does not hang on where it touches is found here, once.
+  Along along(const std::vector<RiskState>& states) const;
 
  private:
-  double ofHope(const MotionCost& total, const SweptRoom::Shares& shares) const;
-
   RiskObjective objective_;
   const SweptRoom* room_;
 };
