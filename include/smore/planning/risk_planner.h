@@ -19,7 +19,7 @@ struct RiskPlannerParameters {
   int iterations = 1500;   ///< samples for each tree on each rung of the ladder of risk, at least 1
   int paths = 4;           ///< paths of which the best is taken, at least 1
   int improvements = 120;  ///< changes tried on each path in a plane
-  int improvements_in_space = 30;  ///< in space, where more fit it to the worlds' errors
+  int improvements_in_space = 12;  ///< in space, where more fit it to the worlds' errors
   int postures = 500;              ///< in space: ways in another posture that are tried
   int kept_postures = 4;           ///< the best of them, which are improved
   int alternatives = 12;           ///< in space: paths of earlier searches that are looked at anew
