@@ -63,7 +63,6 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
     : belief_(&belief), parameters_(parameters), space_(space), seed_(seed) {
   if (space_.motion == Motion::kSpatial) {
     parameters_.improvements = parameters.improvements_in_space;
-    parameters_.objective.surprises = parameters.surprises_in_space;
   }
 }
 
@@ -75,19 +74,20 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   const RiskSpace space(space_, worlds->frame.T_map_world(), parameters_.lever * worlds->held);
   const RiskMotions motions(worlds->sampled, space.lever(), space.fullTurns());
   std::optional<SweptRoom> room;
-  if (objective.surprises > 0.0) room.emplace(*worlds, space, motions);
-  Search search{unit,
-                parameters_.step * unit,
-                space,
-                motions,
-                {{objective.touch_cost * unit, objective.give * unit, objective.surprises},
-                 room ? &*room : nullptr},
-                space.toState(start),
-                space.toState(goal),
-                worlds,
-                seed,
-                CounterRandom(seed),
-                Deadline(parameters_.time_limit)};
+  const double surprises = surprisesSoFar(*worlds);
+  if (surprises > 0.0) room.emplace(*worlds, space, motions);
+  Search search{
+      unit,
+      parameters_.step * unit,
+      space,
+      motions,
+      {{objective.touch_cost * unit, objective.give * unit, surprises}, room ? &*room : nullptr},
+      space.toState(start),
+      space.toState(goal),
+      worlds,
+      seed,
+      CounterRandom(seed),
+      Deadline(parameters_.time_limit)};
   if (!space.contains(search.start)) return Failure{"the start is outside of the workspace"};
   if (!space.contains(search.goal)) return Failure{"the goal is outside of the workspace"};
   std::vector<RiskPath> paths = climb(&search);
@@ -101,6 +101,11 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   plan.risk = ContactRisk(worlds).ofMotion(plan.path);
   plan.tree = std::move(search.edges);
   return plan;
+}
+
+double RiskPlanner::surprisesSoFar(const Worlds& worlds) const {
+  if (space_.motion == Motion::kPlanar) return 0.0;
+  return parameters_.surprise_share_in_space * static_cast<double>(worlds.contacts);
 }
 
 // In a plane the trees find what there is to find, and more choice only finds more of what the

@@ -73,7 +73,7 @@ ParameterSection plannerSection(RiskPlannerParameters* planner) {
            {"lever", &planner->lever, kLength},
            {"touch_cost", &planner->objective.touch_cost, kLength},
            {"give", &planner->objective.give, kLength},
-           {"surprises_in_space", &planner->surprises_in_space, kStrength}}};
+           {"surprise_share_in_space", &planner->surprise_share_in_space, kStrength}}};
 }
 
 ParameterSection paperSection(PaperParameters* paper) {

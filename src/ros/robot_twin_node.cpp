@@ -23,7 +23,6 @@
 #include "smore/common/delay_line.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
-#include "smore/ros/scene_markers.h"
 #include "smore/simulation/calibrated_arm.h"
 #include "smore/simulation/driver_wrench.h"
 #include "smore/simulation/simulated_robot.h"
@@ -131,10 +130,7 @@ class RobotTwin {
   }
 
   void publishScene(const Scenario& scenario) {
-    visualization_msgs::MarkerArray markers = sceneMarkers(scenario, parameters_.frames);
-    const visualization_msgs::MarkerArray links = driver_->linkMarkers();
-    markers.markers.insert(markers.markers.end(), links.markers.begin(), links.markers.end());
-    scene_.publish(markers);
+    scene_.publish(driver_->markersIn(scenario, parameters_.frames));
     tf2_msgs::TFMessage fixed;
     fixed.transforms = driver_->controllerTransforms();
     tf_static_.publish(fixed);

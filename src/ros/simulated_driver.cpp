@@ -21,9 +21,10 @@ class CartesianDriver : public SimulatedDriver {
   std::string sensorFrame() const override { return frames_.object; }
   Transforms fixedTransforms() const override { return {}; }
   Transforms controllerTransforms() const override { return {}; }
-  visualization_msgs::MarkerArray linkMarkers() const override { return {}; }
 
  private:
+  visualization_msgs::MarkerArray linkMarkers() const override { return {}; }
+
   Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const override {
     return {stampedTransform(frames_.world, frames_.object, robot.pose(), stamp)};
   }
@@ -68,13 +69,13 @@ class ArmDriver : public SimulatedDriver {
     return {stampedTransform(names().base, controller_, T_base_base_link_.inverse(), ros::Time())};
   }
 
-  visualization_msgs::MarkerArray linkMarkers() const override {
-    return robotMarkers(*urdf_.model);
-  }
-
  private:
   /// The frame that a controller of Universal Robots calls its base.
   static constexpr char kUrController[] = "base";
+
+  visualization_msgs::MarkerArray linkMarkers() const override {
+    return robotMarkers(*urdf_.model);
+  }
 
   Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const override {
     const Pose T_base_link_tool =
@@ -130,6 +131,14 @@ SimulatedDriver::Transforms SimulatedDriver::transformsAt(const SimulatedRobot& 
   const Transforms links = linkTransforms(robot, stamp);
   transforms.insert(transforms.end(), links.begin(), links.end());
   return transforms;
+}
+
+visualization_msgs::MarkerArray SimulatedDriver::markersIn(const Scenario& scenario,
+                                                           const FrameNames& frames) const {
+  visualization_msgs::MarkerArray markers = sceneMarkers(scenario, frames);
+  const visualization_msgs::MarkerArray links = linkMarkers();
+  markers.markers.insert(markers.markers.end(), links.markers.begin(), links.markers.end());
+  return markers;
 }
 
 std::unique_ptr<SimulatedDriver> makeSimulatedDriver(const Scenario& scenario,

@@ -34,10 +34,12 @@ class SimulatedDriver {
   /// frames of the robot's links, for display.
   Transforms transformsAt(const SimulatedRobot& robot, const ros::Time& stamp);
 
-  /// The robot's links, in their frames.
-  virtual visualization_msgs::MarkerArray linkMarkers() const = 0;
+  /// For display: the scene and the robot's links, in their frames.
+  visualization_msgs::MarkerArray markersIn(const Scenario& scenario,
+                                            const FrameNames& frames) const;
 
  private:
+  virtual visualization_msgs::MarkerArray linkMarkers() const = 0;
   virtual Transforms poseTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const = 0;
   virtual Transforms linkTransforms(const SimulatedRobot& robot, const ros::Time& stamp) const = 0;
 

@@ -14,7 +14,6 @@
 #include "smore/contact/contact_reflex.h"
 #include "smore/ros/names.h"
 #include "smore/ros/parameter_source.h"
-#include "smore/ros/scene_markers.h"
 #include "smore/ros/throttle.h"
 #include "smore/simulation/simulated_robot.h"
 
@@ -98,10 +97,7 @@ class SimulatorNode {
   }
 
   void publishScene(const Scenario& scenario) {
-    visualization_msgs::MarkerArray markers = sceneMarkers(scenario, parameters_.frames);
-    const visualization_msgs::MarkerArray links = driver_->linkMarkers();
-    markers.markers.insert(markers.markers.end(), links.markers.begin(), links.markers.end());
-    scene_.publish(markers);
+    scene_.publish(driver_->markersIn(scenario, parameters_.frames));
     tf2_msgs::TFMessage fixed;
     fixed.transforms = driver_->fixedTransforms();
     tf_static_.publish(fixed);

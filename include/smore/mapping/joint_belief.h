@@ -72,7 +72,6 @@ class JointBelief : public TwinMap {
 
   /// As MapFrame::toMap.
   Pose toMap(const Pose& T_world_object) const { return frame_.toMap(T_world_object); }
-  const MapFrame& frame() const { return frame_; }
 
   /// Contacts observed so far, those that were merged included.
   std::size_t contactCount() const { return levers_.size(); }

@@ -31,8 +31,9 @@ struct RiskPlannerParameters {
   /// ... and what a radian counts in it: half of the reach of what is held, in units of that.
   double lever = 3.0;
   RiskObjective objective;
-  /// RiskObjective::surprises in space; none in a plane. Our choice, on tuning seeds.
-  double surprises_in_space = 2.0;
+  /// In space: the share of the contacts so far that are RiskObjective::surprises; none are in a
+  /// plane. Our choice, on tuning seeds.
+  double surprise_share_in_space = 0.2;
 };
 
 /// Least risk first, then length: bidirectional trees in the states whose risk stays below a limit,
@@ -55,6 +56,8 @@ class RiskPlanner : public Planner {
   struct Trees;
   void remember(const std::vector<RiskPath>& paths);
   std::vector<RiskPath> climb(Search* search) const;
+  /// In space: touches so far that came of matter that nobody knew of.
+  double surprisesSoFar(const Worlds& worlds) const;
   void searchFurther(const Search& search, std::vector<RiskPath>* paths);
   void addAlternatives(const Search& search, std::vector<RiskPath>* paths) const;
   void addPostures(const Search& search, std::vector<RiskPath>* paths) const;
