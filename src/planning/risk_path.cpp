@@ -83,12 +83,13 @@ void RiskPath::replace(int first, int last, const std::vector<RiskState>& inner)
     costs.push_back(*cost);
     total += *cost;
   }
-  if (value.of(total) > value_) return;
+  const double changed = value.of(total);
+  if (changed > value_) return;
   const auto rest = costs_.erase(costs_.begin() + first, costs_.begin() + last);
   costs_.insert(rest, costs.begin(), costs.end());
   states_ = std::move(states);
   total_ = total;
-  value_ = value.of(total);
+  value_ = changed;
 }
 
 }  // namespace smore
