@@ -17,7 +17,7 @@ PathValue::Along PathValue::along(const std::vector<RiskState>& states) const {
   result.no_surprise_.fill(1.0);
   if (room_ == nullptr) return result;
   result.no_surprise_ = room_->noSurpriseAlong(states);
-  for (double& share : result.no_surprise_) share = std::pow(share, objective_.surprises);
+  for (double& share : result.no_surprise_) share = std::pow(share, surprises_);
   return result;
 }
 

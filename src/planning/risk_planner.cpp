@@ -36,6 +36,14 @@ void sortByValue(std::vector<RiskPath>* paths) {
   std::stable_sort(paths->begin(), paths->end(), isBetter);
 }
 
+double shareWithKnownObject(const SampledWorlds& worlds) {
+  HypothesisMask known = 0;
+  for (const WorldsAtUnit& part : worlds.parts()) {
+    for (const MaskedPoint& ball : part.knownObject()) known |= ball.mask;
+  }
+  return SampledWorlds::shareOf(known);
+}
+
 }  // namespace
 
 struct RiskPlanner::Search {
@@ -81,7 +89,7 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
       parameters_.step * unit,
       space,
       motions,
-      {{objective.touch_cost * unit, objective.give * unit, surprises}, room ? &*room : nullptr},
+      {{objective.touch_cost * unit, objective.give * unit}, room ? &*room : nullptr, surprises},
       space.toState(start),
       space.toState(goal),
       worlds,
@@ -105,7 +113,9 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
 
 double RiskPlanner::surprisesSoFar(const Worlds& worlds) const {
   if (space_.motion == Motion::kPlanar) return 0.0;
-  return parameters_.surprise_share_in_space * static_cast<double>(worlds.contacts);
+  const auto contacts = static_cast<double>(worlds.contacts);
+  return std::max(parameters_.surprise_share_in_space * contacts,
+                  parameters_.surprises_of_known_object * shareWithKnownObject(worlds.sampled));
 }
 
 // In a plane the trees find what there is to find, and more choice only finds more of what the

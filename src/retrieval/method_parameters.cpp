@@ -74,7 +74,8 @@ ParameterSection plannerSection(RiskPlannerParameters* planner) {
            {"lever", &planner->lever, kLength},
            {"touch_cost", &planner->objective.touch_cost, kLength},
            {"give", &planner->objective.give, kLength},
-           {"surprise_share_in_space", &planner->surprise_share_in_space, kShareOrNone}}};
+           {"surprise_share_in_space", &planner->surprise_share_in_space, kShareOrNone},
+           {"surprises_of_known_object", &planner->surprises_of_known_object, kStrength}}};
 }
 
 ParameterSection paperSection(PaperParameters* paper) {

@@ -79,7 +79,7 @@ TEST_P(RiskPlannerIn, ImprovesAPathByItsOwnMeasure) {
   const std::shared_ptr<const Worlds> worlds = belief.worlds();
   const RiskMotions motions(worlds->sampled, kLever);
   const SweptRoom room(*worlds, space, motions);
-  const PathValue measure({200.0 * kUnit, 0.2 * kUnit, 1.0}, &room);
+  const PathValue measure({200.0 * kUnit, 0.2 * kUnit}, &room, 1.0);
   std::vector<RiskState> states;
   for (const double y : {0.0, 0.2, -0.3, 0.1, 0.3, 0.0}) {
     states.push_back(space.toState(makePose({-0.2 * static_cast<double>(states.size()), y, 0})));

@@ -48,10 +48,10 @@ class Room {
     return std::accumulate(shares.begin(), shares.end(), 0.0) / kHypotheses;
   }
 
-  double value(const std::vector<Pose>& path, const RiskObjective& objective) const {
+  double value(const std::vector<Pose>& path, double surprises) const {
     MotionCost cost;
     cost.length = 2.0;
-    return PathValue(objective, &room_).along(states(path)).of(cost);
+    return PathValue({10.0, 0.2}, &room_, surprises).along(states(path)).of(cost);
   }
 
  private:
@@ -88,14 +88,14 @@ TEST(SweptRoom, WhatHasNoMatterIsNotSurprised) {
 }
 
 TEST(PathValue, IsTheLengthWhereNothingMayTouch) {
-  EXPECT_NEAR(Room(movedBar()).value({kEnd, kBroadside}, {10.0, 0.2, 0.0}), 2.0, 1e-6);
+  EXPECT_NEAR(Room(movedBar()).value({kEnd, kBroadside}, 0.0), 2.0, 1e-6);
 }
 
 TEST(PathValue, CountsNewRoomOnceForEachSurprise) {
   const Room room(movedBar());
-  const double once = room.value({kEnd, kEndFirst}, {10.0, 0.2, 1.0});
+  const double once = room.value({kEnd, kEndFirst}, 1.0);
   EXPECT_NEAR(once, 2.0 - 10.0 * std::log(room.meanAlong({kEnd, kEndFirst})), 1e-3);
-  EXPECT_NEAR(room.value({kEnd, kEndFirst}, {10.0, 0.2, 2.0}) - 2.0, 2.0 * (once - 2.0), 0.2);
+  EXPECT_NEAR(room.value({kEnd, kEndFirst}, 2.0) - 2.0, 2.0 * (once - 2.0), 0.2);
 }
 
 }  // namespace

@@ -12,9 +12,6 @@ namespace smore {
 struct RiskObjective {
   double touch_cost = 200.0;  ///< what one nat of not arriving is worth in motion
   double give = 0.2;          ///< accuracy of what is known of matter's place
-  /// How many touches so far came of matter that nobody knew of (SweptRoom); 0 leaves such matter
-  /// out.
-  double surprises = 0.0;
 };
 
 /// What a path is worth, as a length of motion:
@@ -28,9 +25,10 @@ struct RiskObjective {
 /// the path meets no matter that nobody knows of, after one surprise (SweptRoom).
 class PathValue {
  public:
-  /// `room` is a view; where it is null, matter that nobody knows of is left out.
-  PathValue(const RiskObjective& objective, const SweptRoom* room)
-      : objective_(objective), room_(room) {}
+  /// `room` is a view; where it is null, matter that nobody knows of is left out. `surprises` [at
+  /// least 0]: how many touches so far came of such matter.
+  PathValue(const RiskObjective& objective, const SweptRoom* room, double surprises)
+      : objective_(objective), room_(room), surprises_(surprises) {}
 
   /// What paths through the same states are worth, by what they cost.
   class Along {
@@ -50,6 +48,7 @@ class PathValue {
  private:
   RiskObjective objective_;
   const SweptRoom* room_;
+  double surprises_;
 };
 
 }  // namespace smore

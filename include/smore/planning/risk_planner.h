@@ -31,9 +31,13 @@ struct RiskPlannerParameters {
   /// ... and what a radian counts in it: half of the reach of what is held, in units of that.
   double lever = 3.0;
   RiskObjective objective;
-  /// In space: the share of the contacts so far that are RiskObjective::surprises; none are in a
-  /// plane. Our choice, on tuning seeds.
+  /// In space: the share of the contacts so far that came of matter that nobody knew of
+  /// (SweptRoom); none are in a plane. Our choice, on tuning seeds.
   double surprise_share_in_space = 0.2;
+  /// In space: as many such contacts at least where the object is known beforehand, at least 0: its
+  /// matter is no guess, so that what it sweeps is known from the first motion on. Our choice, on
+  /// tuning seeds.
+  double surprises_of_known_object = 2.0;
 };
 
 /// Least risk first, then length: bidirectional trees in the states whose risk stays below a limit,
@@ -56,7 +60,7 @@ class RiskPlanner : public Planner {
   struct Trees;
   void remember(const std::vector<RiskPath>& paths);
   std::vector<RiskPath> climb(Search* search) const;
-  /// In space: touches so far that came of matter that nobody knew of.
+  /// Touches so far that came of matter that nobody knew of, as this search counts them.
   double surprisesSoFar(const Worlds& worlds) const;
   void searchFurther(const Search& search, std::vector<RiskPath>* paths);
   void addAlternatives(const Search& search, std::vector<RiskPath>* paths) const;
