@@ -82,7 +82,7 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   const RiskSpace space(space_, worlds->frame.T_map_world(), parameters_.lever * worlds->held);
   const RiskMotions motions(worlds->sampled, space.lever(), space.fullTurns());
   std::optional<SweptRoom> room;
-  const double surprises = surprisesSoFar(*worlds);
+  const double surprises = this->surprises(*worlds);
   if (surprises > 0.0) room.emplace(*worlds, space, motions);
   Search search{
       unit,
@@ -111,11 +111,11 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   return plan;
 }
 
-double RiskPlanner::surprisesSoFar(const Worlds& worlds) const {
+double RiskPlanner::surprises(const Worlds& worlds) const {
   if (space_.motion == Motion::kPlanar) return 0.0;
-  const auto contacts = static_cast<double>(worlds.contacts);
-  return std::max(parameters_.surprise_share_in_space * contacts,
-                  parameters_.surprises_of_known_object * shareWithKnownObject(worlds.sampled));
+  const double touched = static_cast<double>(worlds.contacts) / parameters_.contacts_to_know_object;
+  const double known = std::max(std::min(1.0, touched), shareWithKnownObject(worlds.sampled));
+  return parameters_.surprises_in_space * known;
 }
 
 // In a plane the trees find what there is to find, and more choice only finds more of what the
