@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "known_boxes.h"
 #include "smore/planning/contact_risk.h"
 #include "smore/planning/risk_planner.h"
 
@@ -157,6 +158,31 @@ TEST_P(RiskPlannerIn, SaysWhyThereIsNoPlan) {
   ASSERT_FALSE(outside);
   EXPECT_EQ(outside.reason(), "the goal is outside of the workspace");
   EXPECT_FALSE(planner.plan(makePose({2, 0, 0}), kGoal));
+}
+
+// How far a bar along y has turned towards the way ahead when it is half-way: 1 when it goes end
+// first, 0 when it goes broadside. Nothing has been touched yet.
+double endFirst(bool known, const RiskPlannerParameters& parameters) {
+  JointBelief belief = emptyBelief(Motion::kSpatial);
+  if (known) {
+    belief.know(MapSide::kObject, boxKnown({-0.02, -0.3, -0.02}, {0.02, 0.3, 0.02}, 0.1));
+  }
+  RiskPlanner planner(belief, spaceOf(Motion::kSpatial), parameters, 1);
+  const auto plan = planner.plan(kStart, kGoal);
+  const Path poses = plan ? densify(plan->path, 0.01, 0.1) : Path{};
+  for (const Pose& pose : poses) {
+    if (pose.translation().x() < -0.5) return std::abs(pose.linear()(0, 1));
+  }
+  return -1.0;
+}
+
+// Where the object is known, what it sweeps is no guess; where it is not, there is none to make.
+TEST(RiskPlanner, EntersLittleNewRoomFromTheFirstMotionOnWhereTheObjectIsKnown) {
+  EXPECT_GT(endFirst(true, {}), 0.9);
+  EXPECT_NEAR(endFirst(false, {}), 0.0, 0.1);
+  RiskPlannerParameters no_surprises;
+  no_surprises.surprises_in_space = 0.0;
+  EXPECT_NEAR(endFirst(true, no_surprises), 0.0, 0.1);
 }
 
 // From 2 to -2 rad the shorter turn leads past half a turn; an arm has to go the longer way.
