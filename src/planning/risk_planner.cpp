@@ -82,7 +82,7 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   const RiskSpace space(space_, worlds->frame.T_map_world(), parameters_.lever * worlds->held);
   const RiskMotions motions(worlds->sampled, space.lever(), space.fullTurns());
   std::optional<SweptRoom> room;
-  const double surprises = this->surprises(*worlds);
+  const double surprises = surprisesIn(*worlds);
   if (surprises > 0.0) room.emplace(*worlds, space, motions);
   Search search{
       unit,
@@ -111,7 +111,7 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   return plan;
 }
 
-double RiskPlanner::surprises(const Worlds& worlds) const {
+double RiskPlanner::surprisesIn(const Worlds& worlds) const {
   if (space_.motion == Motion::kPlanar) return 0.0;
   const double touched = static_cast<double>(worlds.contacts) / parameters_.contacts_to_know_object;
   const double known = std::max(std::min(1.0, touched), shareWithKnownObject(worlds.sampled));

@@ -61,7 +61,7 @@ class RiskPlanner : public Planner {
   void remember(const std::vector<RiskPath>& paths);
   std::vector<RiskPath> climb(Search* search) const;
   /// Touches that are taken to have come of matter that nobody knew of.
-  double surprises(const Worlds& worlds) const;
+  double surprisesIn(const Worlds& worlds) const;
   void searchFurther(const Search& search, std::vector<RiskPath>* paths);
   void addAlternatives(const Search& search, std::vector<RiskPath>* paths) const;
   void addPostures(const Search& search, std::vector<RiskPath>* paths) const;
