@@ -113,9 +113,9 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
 
 double RiskPlanner::surprisesIn(const Worlds& worlds) const {
   if (space_.motion == Motion::kPlanar) return 0.0;
-  const double touched = static_cast<double>(worlds.contacts) / parameters_.contacts_to_know_object;
-  const double known = std::max(std::min(1.0, touched), shareWithKnownObject(worlds.sampled));
-  return parameters_.surprises_in_space * known;
+  const auto contacts = static_cast<double>(worlds.contacts);
+  return std::max(parameters_.surprise_share_in_space * contacts,
+                  parameters_.surprises_of_known_object * shareWithKnownObject(worlds.sampled));
 }
 
 // In a plane the trees find what there is to find, and more choice only finds more of what the

@@ -21,6 +21,7 @@ constexpr Range kStrength{0.0, 100.0};  // 0: off
 constexpr Range kMetres{1e-3, 1e3};     // [m]
 constexpr Range kVoxels{0.1, 100.0};    // [voxels]
 constexpr Range kShare{1e-6, 0.999};
+constexpr Range kShareOrNone{0.0, 1.0};  // 0: off
 constexpr Range kSteps{1, 1000};
 constexpr Range kSweeps{0, 1000};
 constexpr Range kContacts{10, 1e5};
@@ -73,8 +74,8 @@ ParameterSection plannerSection(RiskPlannerParameters* planner) {
            {"lever", &planner->lever, kLength},
            {"touch_cost", &planner->objective.touch_cost, kLength},
            {"give", &planner->objective.give, kLength},
-           {"surprises_in_space", &planner->surprises_in_space, kStrength},
-           {"contacts_to_know_object", &planner->contacts_to_know_object, kCount}}};
+           {"surprise_share_in_space", &planner->surprise_share_in_space, kShareOrNone},
+           {"surprises_of_known_object", &planner->surprises_of_known_object, kStrength}}};
 }
 
 ParameterSection paperSection(PaperParameters* paper) {

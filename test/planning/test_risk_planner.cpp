@@ -181,7 +181,7 @@ TEST(RiskPlanner, EntersLittleNewRoomFromTheFirstMotionOnWhereTheObjectIsKnown) 
   EXPECT_GT(endFirst(true, {}), 0.9);
   EXPECT_NEAR(endFirst(false, {}), 0.0, 0.1);
   RiskPlannerParameters no_surprises;
-  no_surprises.surprises_in_space = 0.0;
+  no_surprises.surprises_of_known_object = 0.0;
   EXPECT_NEAR(endFirst(true, no_surprises), 0.0, 0.1);
 }
 

@@ -31,13 +31,13 @@ struct RiskPlannerParameters {
   /// ... and what a radian counts in it: half of the reach of what is held, in units of that.
   double lever = 3.0;
   RiskObjective objective;
-  /// In space: how many touches are taken to have come of matter that nobody knew of (SweptRoom),
-  /// at least 0, once the object is known; before, in proportion to how far it is. In a plane none
-  /// are. Our choice, on tuning seeds.
-  double surprises_in_space = 2.0;
-  /// After so many contacts the object counts as known, at least 1; where it is known beforehand,
-  /// at once. Our choice, on tuning seeds.
-  double contacts_to_know_object = 10.0;
+  /// In space: the share of the contacts so far that came of matter that nobody knew of
+  /// (SweptRoom); none are in a plane. Our choice, on tuning seeds.
+  double surprise_share_in_space = 0.2;
+  /// In space: as many such contacts at least where the object is known beforehand, at least 0: its
+  /// matter is no guess, so that what it sweeps is known from the first motion on. Our choice, on
+  /// tuning seeds.
+  double surprises_of_known_object = 2.0;
 };
 
 /// Least risk first, then length: bidirectional trees in the states whose risk stays below a limit,
