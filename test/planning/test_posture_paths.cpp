@@ -27,7 +27,8 @@ class PosturePathsIn : public testing::TestWithParam<Motion> {
   const RiskState goal_ = space_.toState(makePose({-1, 0.1, 0}));
 
   std::vector<RiskPath> best(int tried, int kept, std::uint64_t seed) const {
-    return PosturePaths(motions_, space_, {{}, nullptr, 0.0}).best(start_, goal_, tried, kept, seed);
+    return PosturePaths(motions_, space_, {{}, nullptr, 0.0})
+        .best(start_, goal_, tried, kept, seed);
   }
 };
 
