@@ -28,8 +28,10 @@ double sizeOf(int hypothesis, double shortest, double longest) {
   return shortest * std::pow(longest / shortest, (hypothesis + 0.5) / kHypotheses);
 }
 
-// The object's size and the world's are drawn independently: a second order of the hypotheses.
-int otherOrder(int hypothesis) { return (37 * hypothesis + 11) % kHypotheses; }
+// The object's size, its depth and the world's size are drawn independently: further orders of the
+// hypotheses.
+int secondOrder(int hypothesis) { return (37 * hypothesis + 11) % kHypotheses; }
+int thirdOrder(int hypothesis) { return (23 * hypothesis + 5) % kHypotheses; }
 
 }  // namespace
 
@@ -76,7 +78,11 @@ void SurfaceExtents::grow(MapSide side) {
   parallelFor(kHypotheses, [&](std::size_t i) {
     const int m = static_cast<int>(i);
     const MatterAllowed allowed = allowedFor(side, m, forbidden);
-    grown[m] = joinsTouches(side) ? joined(m, allowed) : patches(side, m, allowed);
+    if (hasPatches(side)) grown[m] = patches(side, m, allowed);
+    if (side == MapSide::kObject) {
+      const std::vector<Eigen::Vector3f> joints = joined(m, allowed);
+      grown[m].insert(grown[m].end(), joints.begin(), joints.end());
+    }
   });
   MaskedPoints& matter = side == MapSide::kObject ? object_ : world_;
   for (int m = 0; m < kHypotheses; ++m) {
@@ -92,10 +98,9 @@ std::vector<ForbiddenMatter> SurfaceExtents::forbiddenFor(MapSide side) const {
     for (Eigen::Isometry3f& T : poses) T = T.inverse();
   }
   const auto distance = static_cast<float>(feature_.conflictDistance());
-  // What joins touches lies between them, a patch as far beside them as it is large; what forbids
-  // either may lie as far beside that as balls touch.
-  const float margin =
-      distance + (joinsTouches(side) ? 0.0F : static_cast<float>(longestRadius(side)));
+  // What joins touches lies between them, a patch as far beside and behind them as it is large and
+  // deep; what forbids either may lie as far beside that as balls touch.
+  const float margin = distance + (hasPatches(side) ? longestWay(side) : 0.0F);
   const MaskedPoints& matter = on_object ? object_ : world_;
   const float cell = latticeCell(feature_);
   const Eigen::AlignedBox3f region = boxAround(matter.points(), margin);
@@ -125,31 +130,60 @@ MatterAllowed SurfaceExtents::allowedFor(MapSide side, int hypothesis,
   };
 }
 
-bool SurfaceExtents::joinsTouches(MapSide side) const {
-  return side == MapSide::kObject && !planar_;
-}
+bool SurfaceExtents::hasPatches(MapSide side) const { return planar_ || side == MapSide::kWorld; }
 
 double SurfaceExtents::longestRadius(MapSide side) const {
   return side == MapSide::kObject ? extent_.object_longest : extent_.world_longest;
 }
 
-std::vector<Eigen::Vector3f> SurfaceExtents::patches(MapSide side, int hypothesis,
-                                                     const MatterAllowed& allowed) const {
+float SurfaceExtents::longestWay(MapSide side) const {
+  const double depth = side == MapSide::kObject ? extent_.object_longest : 0.0;
+  return static_cast<float>(std::hypot(longestRadius(side), depth));
+}
+
+std::vector<SurfaceExtents::TouchedPatch> SurfaceExtents::touchedPatches(MapSide side,
+                                                                         int hypothesis) const {
   const bool on_object = side == MapSide::kObject;
   SurfacePatch patch;
   patch.step =
       static_cast<float>((planar_ ? kPlanarStep : kSpatialStep) * feature_.conflictDistance());
-  patch.radius = static_cast<float>(sizeOf(on_object ? otherOrder(hypothesis) : hypothesis,
+  patch.radius = static_cast<float>(sizeOf(on_object ? secondOrder(hypothesis) : hypothesis,
                                            extent_.shortest, longestRadius(side)));
-  std::vector<Eigen::Vector3f> result;
+  std::vector<TouchedPatch> result;
   for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
     const ContactHypotheses& contact = samples_.contacts[k];
     const int place = samples_.explanations[hypothesis][k];
     if (place == kFalseContact || isKnown(side, hypothesis, k)) continue;
     patch.center = (on_object ? contact.object : contact.world).at(place);
-    patch.normal = (on_object ? contact.object_normal : contact.world_normal).at(place);
-    CounterRandom random(mixBits(contact.id, mixBits(seed_, 2 * hypothesis + (on_object ? 1 : 0))));
-    const std::vector<Eigen::Vector3f> points = growPatch(patch, planar_, allowed, &random);
+    // The common normal of a contact points into the object.
+    patch.normal = on_object ? Eigen::Vector3f(-contact.object_normal.at(place))
+                             : contact.world_normal.at(place);
+    result.push_back({contact.id, patch});
+  }
+  return result;
+}
+
+float SurfaceExtents::objectDepth(int hypothesis, const std::vector<TouchedPatch>& touched,
+                                  const MatterAllowed& allowed) const {
+  auto depth =
+      static_cast<float>(sizeOf(thirdOrder(hypothesis), extent_.shortest, extent_.object_longest));
+  for (TouchedPatch at : touched) {
+    at.patch.depth = depth;
+    depth = depthBehind(at.patch, allowed);
+  }
+  return depth;
+}
+
+std::vector<Eigen::Vector3f> SurfaceExtents::patches(MapSide side, int hypothesis,
+                                                     const MatterAllowed& allowed) const {
+  const bool on_object = side == MapSide::kObject;
+  const std::vector<TouchedPatch> touched = touchedPatches(side, hypothesis);
+  const float depth = on_object ? objectDepth(hypothesis, touched, allowed) : 0.0F;
+  std::vector<Eigen::Vector3f> result;
+  for (TouchedPatch at : touched) {
+    at.patch.depth = depth;
+    CounterRandom random(mixBits(at.id, mixBits(seed_, 2 * hypothesis + (on_object ? 1 : 0))));
+    const std::vector<Eigen::Vector3f> points = growPatch(at.patch, planar_, allowed, &random);
     result.insert(result.end(), points.begin(), points.end());
   }
   return result;

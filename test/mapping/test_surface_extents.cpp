@@ -98,5 +98,53 @@ TEST(SurfaceExtents, EndAtFreeSpaceBesideTheLargestPatch) {
   EXPECT_GE(nearest(evidence), 0.9 * distance);
 }
 
+// Worlds in which the object, touched at its left ends at two heights, goes on for more than 20 cm
+// behind the upper touch; `ahead` of the lower one what was touched in the world lay free.
+int worldsOfDepth(double ahead) {
+  const JointBeliefParameters lengths = atADecimetre();
+  FreeSpaceEvidence evidence(lengths.free_space, lengths.feature.conflictDistance());
+  evidence.addPose(Pose::Identity());
+  const Vec3 lower(0.0, -0.3, 0.0);
+  const Vec3 upper(0.0, 0.3, 0.0);
+  const Vec3 far(5.0, 5.0, 0.0);
+  std::vector<ContactHypotheses> contacts = {
+      contactAt(upper, far, 1), contactAt(lower, Vec3(lower + ahead * Vec3::UnitX()), 2)};
+  for (ContactHypotheses& contact : contacts) contact.object_normal.set(0, Vec3::UnitX());
+  const std::vector<Explanation> explanations(kHypotheses, Explanation(contacts.size(), 0));
+  const SurfaceExtents surfaces({contacts, evidence, explanations, ~HypothesisMask{0}, {}},
+                                lengths.feature, lengths.extent, true, 1);
+  HypothesisMask worlds = 0;
+  for (const MaskedPoint& ball : surfaces.object()) {
+    if (ball.point.x() > 0.2F && std::abs(ball.point.y() - 0.3F) < 0.02F) worlds |= ball.mask;
+  }
+  return __builtin_popcountll(worlds);
+}
+
+TEST(SurfaceExtents, GoOnBehindAllTouchesAsDeepAsFreeSpaceAllowsBehindEach) {
+  const ExtentParameters extent = atADecimetre().extent;
+  const double deeper = std::log(extent.object_longest / 0.2) /
+                        std::log(extent.object_longest / extent.shortest) * kHypotheses;
+  EXPECT_NEAR(worldsOfDepth(3.0), deeper, 4.0);
+  EXPECT_EQ(worldsOfDepth(0.1), 0) << "the object is thinner than that elsewhere";
+}
+
+TEST(SurfaceExtents, JoinTouchesInThePlaneToo) {
+  const JointBeliefParameters lengths = atADecimetre();
+  const FreeSpaceEvidence no_evidence(lengths.free_space, lengths.feature.conflictDistance());
+  const Vec3 far(5.0, 5.0, 0.0);
+  std::vector<ContactHypotheses> contacts = {contactAt({-0.2, 0.0, 0.0}, far, 1),
+                                             contactAt({0.2, 0.0, 0.0}, far, 2)};
+  contacts[0].object_normal.set(0, Vec3::UnitX());
+  contacts[1].object_normal.set(0, -Vec3::UnitX());
+  const std::vector<Explanation> explanations(kHypotheses, Explanation(contacts.size(), 0));
+  const SurfaceExtents surfaces({contacts, no_evidence, explanations, ~HypothesisMask{0}, {}},
+                                lengths.feature, lengths.extent, true, 1);
+  HypothesisMask joined = 0;
+  for (const MaskedPoint& ball : surfaces.object()) {
+    if (ball.point.norm() < 0.02F) joined |= ball.mask;
+  }
+  EXPECT_EQ(joined, ~HypothesisMask{0});
+}
+
 }  // namespace
 }  // namespace smore

@@ -15,9 +15,13 @@ namespace smore {
 /// How far surfaces go on is one unknown size of each explanation's world and, in planar motion,
 /// one of its object, spread evenly over all orders of magnitude: a touch near a gap then closes it
 /// in those worlds alone whose surfaces are as large, however many touches there are. In space the
-/// object is mostly touched at corners, where its tangent planes are hardly in it; there its
-/// touches are joined to one piece instead. What is known beforehand is neither covered nor
-/// entered.
+/// object is mostly touched at corners, where its tangent planes are hardly in it; there it has no
+/// patches. What is known beforehand is neither covered nor entered.
+///
+/// The object is in one piece, as what is held in one hand is: its touches are joined. In planar
+/// motion its matter also goes on behind its surface, to one depth for all of it, spread like the
+/// sizes. It is as thick as where it is thinnest: a touch that free space lies closer behind than
+/// that refutes the depth, and what that leaves is the depth.
 class SurfaceExtents {
  public:
   SurfaceExtents(const WorldSamples& samples, const FeatureParameters& feature,
@@ -35,11 +39,21 @@ class SurfaceExtents {
   std::vector<ForbiddenMatter> forbiddenFor(MapSide side) const;
   MatterAllowed allowedFor(MapSide side, int hypothesis,
                            const std::vector<ForbiddenMatter>& forbidden) const;
+  struct TouchedPatch {
+    std::uint64_t id;  ///< of its contact
+    SurfacePatch patch;
+  };
+  std::vector<TouchedPatch> touchedPatches(MapSide side, int hypothesis) const;
+  /// How deep the object is behind all of its touches.
+  float objectDepth(int hypothesis, const std::vector<TouchedPatch>& touched,
+                    const MatterAllowed& allowed) const;
   std::vector<Eigen::Vector3f> patches(MapSide side, int hypothesis,
                                        const MatterAllowed& allowed) const;
   std::vector<Eigen::Vector3f> joined(int hypothesis, const MatterAllowed& allowed) const;
-  bool joinsTouches(MapSide side) const;
+  bool hasPatches(MapSide side) const;
   double longestRadius(MapSide side) const;
+  /// From a touch to the farthest point of its patch [m].
+  float longestWay(MapSide side) const;
 
   const WorldSamples& samples_;
   const FeatureParameters& feature_;
