@@ -98,6 +98,16 @@ TEST(SurfaceExtents, EndAtFreeSpaceBesideTheLargestPatch) {
   EXPECT_GE(nearest(evidence), 0.9 * distance);
 }
 
+// The object's matter in planar motion; all contacts are at their first places.
+std::vector<MaskedPoint> objectInThePlane(const std::vector<ContactHypotheses>& contacts,
+                                          const FreeSpaceEvidence& evidence) {
+  const JointBeliefParameters lengths = atADecimetre();
+  const std::vector<Explanation> explanations(kHypotheses, Explanation(contacts.size(), 0));
+  return SurfaceExtents({contacts, evidence, explanations, ~HypothesisMask{0}, {}}, lengths.feature,
+                        lengths.extent, true, 1)
+      .object();
+}
+
 // Worlds in which the object, touched at its left ends at two heights, goes on for more than 20 cm
 // behind the upper touch; `ahead` of the lower one what was touched in the world lay free.
 int worldsOfDepth(double ahead) {
@@ -110,11 +120,8 @@ int worldsOfDepth(double ahead) {
   std::vector<ContactHypotheses> contacts = {
       contactAt(upper, far, 1), contactAt(lower, Vec3(lower + ahead * Vec3::UnitX()), 2)};
   for (ContactHypotheses& contact : contacts) contact.object_normal.set(0, Vec3::UnitX());
-  const std::vector<Explanation> explanations(kHypotheses, Explanation(contacts.size(), 0));
-  const SurfaceExtents surfaces({contacts, evidence, explanations, ~HypothesisMask{0}, {}},
-                                lengths.feature, lengths.extent, true, 1);
   HypothesisMask worlds = 0;
-  for (const MaskedPoint& ball : surfaces.object()) {
+  for (const MaskedPoint& ball : objectInThePlane(contacts, evidence)) {
     if (ball.point.x() > 0.2F && std::abs(ball.point.y() - 0.3F) < 0.02F) worlds |= ball.mask;
   }
   return __builtin_popcountll(worlds);
@@ -136,11 +143,8 @@ TEST(SurfaceExtents, JoinTouchesInThePlaneToo) {
                                              contactAt({0.2, 0.0, 0.0}, far, 2)};
   contacts[0].object_normal.set(0, Vec3::UnitX());
   contacts[1].object_normal.set(0, -Vec3::UnitX());
-  const std::vector<Explanation> explanations(kHypotheses, Explanation(contacts.size(), 0));
-  const SurfaceExtents surfaces({contacts, no_evidence, explanations, ~HypothesisMask{0}, {}},
-                                lengths.feature, lengths.extent, true, 1);
   HypothesisMask joined = 0;
-  for (const MaskedPoint& ball : surfaces.object()) {
+  for (const MaskedPoint& ball : objectInThePlane(contacts, no_evidence)) {
     if (ball.point.norm() < 0.02F) joined |= ball.mask;
   }
   EXPECT_EQ(joined, ~HypothesisMask{0});

@@ -20,8 +20,8 @@ namespace smore {
 ///
 /// The object is in one piece, as what is held in one hand is: its touches are joined. In planar
 /// motion its matter also goes on behind its surface, to one depth for all of it, spread like the
-/// sizes. It is as thick as where it is thinnest: a touch that free space lies closer behind than
-/// that refutes the depth, and what that leaves is the depth.
+/// sizes. The object is as thick as where it is thinnest: where free space ends the matter straight
+/// behind any of its touches sooner, that is the depth behind all of them.
 class SurfaceExtents {
  public:
   SurfaceExtents(const WorldSamples& samples, const FeatureParameters& feature,

@@ -14,12 +14,12 @@
 
 namespace smore {
 
-/// How far touched surfaces go on, in units of length: each world has one radius of all patches
-/// around its touches and one of those around the object's, log-uniform from the shortest to the
-/// longest.
+/// How far touched matter goes on, in units of length: each world has one radius of all patches
+/// around its touches and, in planar motion, one of those around the object's and one depth of the
+/// object behind its surface, log-uniform from the shortest to the longest.
 struct ExtentParameters {
   double shortest = 0.2;        ///< as large as a patch that is just told from a point
-  double object_longest = 6.0;  ///< on the object in planar motion: what a gripper holds
+  double object_longest = 6.0;  ///< on the object and behind its surface: what a gripper holds
   double world_longest = 6.0;   ///< in the world
 };
 
