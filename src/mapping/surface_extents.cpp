@@ -141,12 +141,15 @@ float SurfaceExtents::longestWay(MapSide side) const {
   return static_cast<float>(std::hypot(longestRadius(side), depth));
 }
 
+double SurfaceExtents::stepOf() const {
+  return (planar_ ? kPlanarStep : kSpatialStep) * feature_.conflictDistance();
+}
+
 std::vector<SurfaceExtents::TouchedPatch> SurfaceExtents::touchedPatches(MapSide side,
                                                                          int hypothesis) const {
   const bool on_object = side == MapSide::kObject;
   SurfacePatch patch;
-  patch.step =
-      static_cast<float>((planar_ ? kPlanarStep : kSpatialStep) * feature_.conflictDistance());
+  patch.step = static_cast<float>(stepOf());
   patch.radius = static_cast<float>(sizeOf(on_object ? secondOrder(hypothesis) : hypothesis,
                                            extent_.shortest, longestRadius(side)));
   std::vector<TouchedPatch> result;
@@ -163,10 +166,10 @@ std::vector<SurfaceExtents::TouchedPatch> SurfaceExtents::touchedPatches(MapSide
   return result;
 }
 
-float SurfaceExtents::objectDepth(int hypothesis, const std::vector<TouchedPatch>& touched,
-                                  const MatterAllowed& allowed) const {
-  auto depth =
-      static_cast<float>(sizeOf(thirdOrder(hypothesis), extent_.shortest, extent_.object_longest));
+int SurfaceExtents::objectDepth(int hypothesis, const std::vector<TouchedPatch>& touched,
+                                const MatterAllowed& allowed) const {
+  const double drawn = sizeOf(thirdOrder(hypothesis), extent_.shortest, extent_.object_longest);
+  auto depth = static_cast<int>(drawn / stepOf());
   for (TouchedPatch at : touched) {
     at.patch.depth = depth;
     depth = depthBehind(at.patch, allowed);
@@ -178,7 +181,7 @@ std::vector<Eigen::Vector3f> SurfaceExtents::patches(MapSide side, int hypothesi
                                                      const MatterAllowed& allowed) const {
   const bool on_object = side == MapSide::kObject;
   const std::vector<TouchedPatch> touched = touchedPatches(side, hypothesis);
-  const float depth = on_object ? objectDepth(hypothesis, touched, allowed) : 0.0F;
+  const int depth = on_object ? objectDepth(hypothesis, touched, allowed) : 0;
   std::vector<Eigen::Vector3f> result;
   for (TouchedPatch at : touched) {
     at.patch.depth = depth;

@@ -50,7 +50,7 @@ std::vector<Eigen::Vector3f> growPatch(const SurfacePatch& patch, bool planar,
   std::vector<Eigen::Vector3f> points;
   const std::array<Eigen::Vector3f, 2> axes = latticeAxes(patch.normal, planar, random);
   const int radius = static_cast<int>(patch.radius / patch.step);
-  const int depth = planar ? static_cast<int>(patch.depth / patch.step) : 0;
+  const int depth = planar ? patch.depth : 0;
   const auto inside = [&](const LatticePoint& at) {
     if (planar) return std::abs(at[0]) <= radius && 0 <= at[1] && at[1] <= depth;
     return at[0] * at[0] + at[1] * at[1] <= radius * radius;
@@ -65,11 +65,11 @@ std::vector<Eigen::Vector3f> growPatch(const SurfacePatch& patch, bool planar,
   return points;
 }
 
-float depthBehind(const SurfacePatch& patch, const MatterAllowed& allowed) {
-  float depth = 0.0F;
-  while (depth + patch.step <= patch.depth &&
-         allowed(patch.center - (depth + patch.step) * patch.normal)) {
-    depth += patch.step;
+int depthBehind(const SurfacePatch& patch, const MatterAllowed& allowed) {
+  const Eigen::Vector3f inwards = -patch.step * patch.normal;
+  int depth = 0;
+  while (depth < patch.depth && allowed(patch.center + static_cast<float>(depth + 1) * inwards)) {
+    ++depth;
   }
   return depth;
 }

@@ -33,25 +33,30 @@ TEST(SurfacePatch, InThePlaneItIsThePartOfTheTangentWithinTheRadius) {
 
 TEST(SurfacePatch, InThePlaneMatterGoesOnBehindItToItsDepth) {
   SurfacePatch patch = patchOf(0.1F);
-  patch.depth = 0.07F;
+  patch.depth = 3;
   CounterRandom random(1);
   const auto points = growPatch(patch, true, everywhere, &random);
   EXPECT_EQ(points.size(), 11U * 4U - 1U);  // the tangent and three rows behind it
   for (const Eigen::Vector3f& point : points) {
     const float behind = -(point - patch.center).dot(patch.normal);
     EXPECT_GE(behind, -1e-6F);
-    EXPECT_LE(behind, patch.depth);
+    EXPECT_LE(behind, 3.0F * patch.step + 1e-6F);
   }
 }
 
 TEST(SurfacePatch, MatterBehindTheCentreEndsWhereItIsNotAllowed) {
-  SurfacePatch patch = patchOf(0.1F);
-  patch.depth = 0.11F;
-  EXPECT_NEAR(depthBehind(patch, everywhere), 0.1F, 1e-6F);  // by whole steps
-  const auto for_a_while = [&](const Eigen::Vector3f& point) {
-    return -(point - patch.center).dot(patch.normal) < 0.05F;
-  };
-  EXPECT_NEAR(depthBehind(patch, for_a_while), 0.04F, 1e-6F);
+  for (const int deep : {1, 5, 100}) {
+    SurfacePatch patch = patchOf(0.1F);
+    patch.depth = deep;
+    EXPECT_EQ(depthBehind(patch, everywhere), deep);
+    for (int end = 0; end < deep; ++end) {
+      const auto for_a_while = [&](const Eigen::Vector3f& point) {
+        const float behind = -(point - patch.center).dot(patch.normal);
+        return behind < (static_cast<float>(end) + 0.5F) * patch.step;
+      };
+      EXPECT_EQ(depthBehind(patch, for_a_while), end);
+    }
+  }
 }
 
 TEST(SurfacePatch, InSpaceItCoversADisc) {

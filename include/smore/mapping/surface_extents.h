@@ -44,9 +44,9 @@ class SurfaceExtents {
     SurfacePatch patch;
   };
   std::vector<TouchedPatch> touchedPatches(MapSide side, int hypothesis) const;
-  /// How deep the object is behind all of its touches.
-  float objectDepth(int hypothesis, const std::vector<TouchedPatch>& touched,
-                    const MatterAllowed& allowed) const;
+  /// How deep the object is behind all of its touches [steps].
+  int objectDepth(int hypothesis, const std::vector<TouchedPatch>& touched,
+                  const MatterAllowed& allowed) const;
   std::vector<Eigen::Vector3f> patches(MapSide side, int hypothesis,
                                        const MatterAllowed& allowed) const;
   std::vector<Eigen::Vector3f> joined(int hypothesis, const MatterAllowed& allowed) const;
@@ -54,6 +54,8 @@ class SurfaceExtents {
   double longestRadius(MapSide side) const;
   /// From a touch to the farthest point of its patch [m].
   float longestWay(MapSide side) const;
+  /// Between neighbouring points of a patch [m].
+  double stepOf() const;
 
   const WorldSamples& samples_;
   const FeatureParameters& feature_;
