@@ -12,7 +12,7 @@ ContactDetector::ContactDetector(const ContactDetectorParameters& parameters,
 
 ContactState ContactDetector::process(double time, const Vec3& force, double bias_stddev) {
   keep(time, force);
-  updateContact(time);
+  updateContact();
   judgeSlowMean(bias_stddev);
   if (in_contact_) return ContactState::kContact;
   return quiet_ ? ContactState::kFree : ContactState::kUnsure;
@@ -29,13 +29,15 @@ void ContactDetector::takeOff(const Vec3& force) {
 void ContactDetector::reset() {
   samples_.clear();
   in_contact_ = quiet_ = may_be_drift_ = false;
-  above_since_ = -1.0;
+  above_since_.reset();
+  below_since_.reset();
 }
 
 void ContactDetector::keep(double time, const Vec3& force) {
   if (!samples_.empty() && time - samples_.back().time > kLongestGap) {
     samples_.clear();
-    above_since_ = -1.0;
+    above_since_.reset();
+    below_since_.reset();
   }
   if (samples_.empty()) started_ = time;
   samples_.push_back({time, force});
@@ -49,6 +51,15 @@ void ContactDetector::keep(double time, const Vec3& force) {
 // Half of a short duration has to pass even where stamps are worse than that.
 bool ContactDetector::hasPassed(double duration, double elapsed) const {
   return elapsed >= duration - std::min(tolerance_, 0.5 * duration);
+}
+
+bool ContactDetector::hasLasted(bool is_so, double dwell, std::optional<double>* since) const {
+  const double time = samples_.back().time;
+  if (!is_so) since->reset();
+  if (is_so && !*since) *since = time;
+  const bool has_lasted = is_so && hasPassed(dwell, time - **since);
+  if (has_lasted) since->reset();
+  return has_lasted;
 }
 
 ContactDetector::Mean ContactDetector::meanOver(const SampleWindow& window) const {
@@ -81,28 +92,23 @@ void ContactDetector::judgeSlowMean(double bias_stddev) {
   may_be_drift_ = full && !in_contact_ && is_explained(drift_quantile);
 }
 
-void ContactDetector::updateContact(double time) {
+void ContactDetector::updateContact() {
   if (in_contact_) {
     // The mean must not reach back before the contact's own rise.
     const SampleWindow& window = parameters_.release_window;
     const Mean release = meanOver(window);
     if (release.samples < window.samples || release.since < contact_since_) return;
-    in_contact_ = release.force.norm() >= parameters_.release_force;
+    const bool is_below = release.force.norm() < parameters_.release_force;
+    in_contact_ = !hasLasted(is_below, parameters_.release_dwell, &below_since_);
     return;
   }
   const Mean fast = meanOver(parameters_.fast_window);
-  if (fast.samples < parameters_.fast_window.samples ||
-      fast.force.norm() < parameters_.contact_force) {
-    above_since_ = -1.0;
-    return;
-  }
-  if (above_since_ < 0.0) above_since_ = time;
-  if (hasPassed(parameters_.dwell, time - above_since_)) {
-    in_contact_ = true;
-    contact_since_ = fast.since;
-    above_since_ = -1.0;
-    ++contact_count_;
-  }
+  const bool is_above = fast.samples >= parameters_.fast_window.samples &&
+                        fast.force.norm() >= parameters_.contact_force;
+  if (!hasLasted(is_above, parameters_.dwell, &above_since_)) return;
+  in_contact_ = true;
+  contact_since_ = fast.since;
+  ++contact_count_;
 }
 
 }  // namespace smore

@@ -78,6 +78,7 @@ ContactDetectorParameters readDetector(ParameterReader reader) {
   reader.number("release_force", &detector.release_force, {1e-3, 1000.0});
   reader.number("residual_force", &detector.residual_force, {0.0, 1000.0});
   reader.number("dwell", &detector.dwell, {0.0, 1.0});
+  reader.number("release_dwell", &detector.release_dwell, {0.0, 1.0});
   reader.number("fast_window", &detector.fast_window.duration, {0.0, 1.0});
   reader.number("slow_window", &detector.slow_window.duration, {0.0, 10.0});
   detector.release_window = detector.fast_window;
@@ -226,6 +227,7 @@ std::optional<LineOfAction> ContactSensing::measureLine(const WrenchSample& raw,
   const double tolerance = 0.5 * parameters_.noise.sample_period;  // of stamps
   const double age = raw.time - average_->confirmed_at;
   if (average_->given || age < line.settle - tolerance) return std::nullopt;
+  if (detector_.mayHaveEnded()) return std::nullopt;
   average_->wrench.add(raw.time, compensated_);
   if (!average_->wrench.full()) return std::nullopt;
   const bool late = age >= line.settle + line.patience - tolerance;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -64,6 +65,21 @@ TEST(ContactDetector, holdsAContactUntilTheReleaseForce) {
   EXPECT_EQ(feed.hold(2.4, 50), ContactState::kUnsure);
   EXPECT_EQ(feed.hold(6.0, 50), ContactState::kContact);
   EXPECT_EQ(feed.contacts(), 2);
+}
+
+// An object that swings in its grip after a stop, as a heavy one does: 12 N to and fro about 5 N.
+TEST(ContactDetector, holdsAContactThroughTheNoForceOfASwing) {
+  for (const double frequency : {8.0, 12.0, 40.0}) {
+    Feed feed({});
+    feed.hold(12.0, 10);
+    for (int i = 0; i < 500; ++i) {
+      const double decay = std::exp(-0.01 * i);
+      const double swing = 12.0 * decay * std::cos(2.0 * M_PI * frequency * kPeriod * i);
+      EXPECT_EQ(feed.hold(5.0 + swing, 1), ContactState::kContact) << frequency << " Hz " << i;
+    }
+    EXPECT_EQ(feed.contacts(), 1);
+    EXPECT_EQ(feed.hold(0.0, 50), ContactState::kFree) << "it ends where the force stays away";
+  }
 }
 
 TEST(ContactDetector, confirmsWithinTheFastWindowAndTheDwell) {

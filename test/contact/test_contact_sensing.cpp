@@ -93,6 +93,18 @@ TEST_F(ContactSensingTest, tellsOnceOfEachContactThatEndedBeforeItGaveALine) {
   }
 }
 
+// As a heavy thing that presses on after it has swung back from the stop.
+TEST_F(ContactSensingTest, givesTheLineOfAContactThatSwingsThroughNoForce) {
+  hold({Vec3(11, 1, 0), Vec3::Zero()}, 6);
+  for (const double force : {-12.0, -8.0, -4.5, -1.6, 0.6, 2.0, 3.0, 3.6}) {
+    EXPECT_EQ(hold({Vec3(force, 0, 0), Vec3::Zero()}, 1).back().state, ContactState::kContact);
+  }
+  const auto lines = linesOf(hold({Vec3(4, 3, 0), Vec3::Zero()}, 50));
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_TRUE(lines[0].direction.isApprox(Vec3(0.8, 0.6, 0), 1e-9));
+  EXPECT_EQ(lineless_, 0);
+}
+
 TEST_F(ContactSensingTest, saysUnsureWhileItTares) {
   sensing_.startTare();
   const auto observations = hold({}, 49);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 
 #include "smore/contact/contact_observation.h"
 #include "smore/contact/sample_window.h"
@@ -15,6 +16,9 @@ struct ContactDetectorParameters {
   double release_force = 2.5;   ///< a contact lasts until the release mean falls below [N]
   double residual_force = 3.0;  ///< what a gripper may keep after a touch (ResidualWatch) [N]
   double dwell = 0.004;         ///< how long the contact force must last; impacts are shorter [s]
+  /// How long the mean must stay below the release force [s]: an object that swings in its grip
+  /// after a stop passes through no force at all, again and again, while it presses on.
+  double release_dwell = 0.06;
   SampleWindow fast_window{0.004};     ///< short: the stop waits for it
   SampleWindow release_window{0.004};  ///< at least the fast one; in it contact is found to end
   SampleWindow slow_window{0.02};      ///< long: sensor noise must fall below free_force in it
@@ -47,6 +51,9 @@ class ContactDetector {
 
   bool inContact() const { return in_contact_; }
 
+  /// Whether the contact may have ended: its force has fallen below the release force.
+  bool mayHaveEnded() const { return below_since_.has_value(); }
+
   /// Mean force over the release window [N]; zero before the first sample.
   Vec3 meanForce() const;
 
@@ -73,8 +80,10 @@ class ContactDetector {
 
   void keep(double time, const Vec3& force);
   bool hasPassed(double duration, double elapsed) const;
+  /// Whether something that is so now, or not, has been so for `dwell`; `since` is when it began.
+  bool hasLasted(bool is_so, double dwell, std::optional<double>* since) const;
   Mean meanOver(const SampleWindow& window) const;
-  void updateContact(double time);
+  void updateContact();
   void judgeSlowMean(double bias_stddev);
 
   ContactDetectorParameters parameters_;
@@ -85,8 +94,9 @@ class ContactDetector {
   bool in_contact_ = false;
   bool quiet_ = false;  ///< the slow mean is that of free space
   bool may_be_drift_ = false;
-  double contact_since_ = 0.0;  ///< oldest sample in the mean that confirmed the contact [s]
-  double above_since_ = -1.0;   ///< when the contact force was reached; negative: it is not
+  double contact_since_ = 0.0;         ///< oldest sample in the mean that confirmed the contact [s]
+  std::optional<double> above_since_;  ///< when the contact force was reached, if it is [s]
+  std::optional<double> below_since_;  ///< the same of falling below the release force
   int contact_count_ = 0;
 };
 
