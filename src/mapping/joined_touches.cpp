@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace smore {
 namespace {
@@ -40,18 +42,44 @@ Points wayBetween(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float dist
   return way;
 }
 
-}  // namespace
+// Straight, between two places.
+struct Way {
+  float length = 0.0F;
+  std::size_t from = 0;
+  std::size_t to = 0;
+  Points points;
+};
 
-std::vector<Eigen::Vector3f> joinTouches(const std::vector<Eigen::Vector3f>& places, float distance,
-                                         const MatterAllowed& allowed) {
-  const Points pieces = apart(places, distance);
-  Points result;
+// Between neighbours, where all of it is allowed; the shortest first.
+std::vector<Way> waysBetween(const Points& pieces, float distance, const MatterAllowed& allowed) {
+  std::vector<Way> ways;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (!areNeighbours(pieces[i], pieces[j], pieces)) continue;
-      const Points way = wayBetween(pieces[i], pieces[j], distance, allowed);
-      result.insert(result.end(), way.begin(), way.end());
+      Points points = wayBetween(pieces[i], pieces[j], distance, allowed);
+      if (points.empty()) continue;
+      ways.push_back({(pieces[i] - pieces[j]).norm(), i, j, std::move(points)});
     }
+  }
+  std::stable_sort(ways.begin(), ways.end(),
+                   [](const Way& a, const Way& b) { return a.length < b.length; });
+  return ways;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3f> joinTouches(const std::vector<Eigen::Vector3f>& places, float distance,
+                                         float longest_closing, const MatterAllowed& allowed) {
+  const Points pieces = apart(places, distance);
+  std::vector<std::size_t> part_of(pieces.size());  // of those joined so far, by one of its places
+  std::iota(part_of.begin(), part_of.end(), 0);
+  Points result;
+  for (const Way& way : waysBetween(pieces, distance, allowed)) {
+    const std::size_t from = part_of[way.from];
+    const std::size_t to = part_of[way.to];
+    if (from == to && way.length > longest_closing) continue;
+    std::replace(part_of.begin(), part_of.end(), from, to);
+    result.insert(result.end(), way.points.begin(), way.points.end());
   }
   return result;
 }

@@ -204,7 +204,11 @@ std::vector<Eigen::Vector3f> SurfaceExtents::joined(int hypothesis,
   std::vector<Eigen::Vector3f> places;
   places.reserve(by_id.size());
   for (const auto& entry : by_id) places.push_back(entry.second);
-  return joinTouches(places, static_cast<float>(feature_.conflictDistance()), allowed);
+  // As far as two patches of the object reach towards each other.
+  const auto longest_closing = static_cast<float>(
+      2.0 * sizeOf(secondOrder(hypothesis), extent_.shortest, longestRadius(MapSide::kObject)));
+  return joinTouches(places, static_cast<float>(feature_.conflictDistance()), longest_closing,
+                     allowed);
 }
 
 }  // namespace smore

@@ -18,10 +18,11 @@ namespace smore {
 /// object is mostly touched at corners, where its tangent planes are hardly in it; there it has no
 /// patches. What is known beforehand is neither covered nor entered.
 ///
-/// The object is in one piece, as what is held in one hand is: its touches are joined. In planar
-/// motion its matter also goes on behind its surface, to one depth for all of it, spread like the
-/// sizes. The object is as thick as where it is thinnest: where free space ends the matter straight
-/// behind any of its touches sooner, that is the depth behind all of them.
+/// The object is in one piece, as what is held in one hand is: its touches are joined, and rings
+/// closed as far as its surfaces go on. In planar motion its matter also goes on behind its
+/// surface, to one depth for all of it, spread like the sizes. The object is as thick as where it
+/// is thinnest: where free space ends the matter straight behind any of its touches sooner, that is
+/// the depth behind all of them.
 class SurfaceExtents {
  public:
   SurfaceExtents(const WorldSamples& samples, const FeatureParameters& feature,
