@@ -52,22 +52,25 @@ SurfaceExtents::SurfaceExtents(const WorldSamples& samples, const FeatureParamet
 void SurfaceExtents::addTouches() {
   for (int m = 0; m < kHypotheses; ++m) {
     const HypothesisMask bit = HypothesisMask{1} << m;
-    for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
-      const int place = samples_.explanations[m][k];
-      if (place == kFalseContact) continue;
-      if (!isKnown(MapSide::kObject, m, k)) {
-        object_.add(samples_.contacts[k].object.at(place), bit);
-      }
-      if (!isKnown(MapSide::kWorld, m, k)) world_.add(samples_.contacts[k].world.at(place), bit);
+    for (const Touch& touch : touches(MapSide::kObject, m)) {
+      object_.add(touch.contact->object.at(touch.place), bit);
+    }
+    for (const Touch& touch : touches(MapSide::kWorld, m)) {
+      world_.add(touch.contact->world.at(touch.place), bit);
     }
   }
 }
 
-bool SurfaceExtents::isKnown(MapSide side, int hypothesis, std::size_t contact) const {
-  const int place = samples_.explanations[hypothesis][contact];
-  const PriorMask covering =
-      samples_.prior.evidence.covering(side, static_cast<int>(contact), place);
-  return (samples_.prior.worldsOf(covering) >> hypothesis & 1U) != 0;
+std::vector<SurfaceExtents::Touch> SurfaceExtents::touches(MapSide side, int hypothesis) const {
+  std::vector<Touch> result;
+  for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
+    const int place = samples_.explanations[hypothesis][k];
+    if (place == kFalseContact) continue;
+    const PriorMask covering = samples_.prior.evidence.covering(side, static_cast<int>(k), place);
+    const bool is_known = (samples_.prior.worldsOf(covering) >> hypothesis & 1U) != 0;
+    if (!is_known) result.push_back({&samples_.contacts[k], place});
+  }
+  return result;
 }
 
 // Each hypothesis by itself, on all processor cores; what comes out does not depend on how many
@@ -153,14 +156,12 @@ std::vector<SurfaceExtents::TouchedPatch> SurfaceExtents::touchedPatches(MapSide
   patch.radius = static_cast<float>(sizeOf(on_object ? secondOrder(hypothesis) : hypothesis,
                                            extent_.shortest, longestRadius(side)));
   std::vector<TouchedPatch> result;
-  for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
-    const ContactHypotheses& contact = samples_.contacts[k];
-    const int place = samples_.explanations[hypothesis][k];
-    if (place == kFalseContact || isKnown(side, hypothesis, k)) continue;
-    patch.center = (on_object ? contact.object : contact.world).at(place);
+  for (const Touch& touch : touches(side, hypothesis)) {
+    const ContactHypotheses& contact = *touch.contact;
+    patch.center = (on_object ? contact.object : contact.world).at(touch.place);
     // The common normal of a contact points into the object.
-    patch.normal = on_object ? Eigen::Vector3f(-contact.object_normal.at(place))
-                             : contact.world_normal.at(place);
+    patch.normal = on_object ? Eigen::Vector3f(-contact.object_normal.at(touch.place))
+                             : contact.world_normal.at(touch.place);
     result.push_back({contact.id, patch});
   }
   return result;
@@ -196,10 +197,8 @@ std::vector<Eigen::Vector3f> SurfaceExtents::joined(int hypothesis,
                                                     const MatterAllowed& allowed) const {
   // By their ids, so that the order of the observations does not matter.
   std::map<std::uint64_t, Eigen::Vector3f> by_id;
-  for (std::size_t k = 0; k < samples_.contacts.size(); ++k) {
-    const int place = samples_.explanations[hypothesis][k];
-    if (place == kFalseContact || isKnown(MapSide::kObject, hypothesis, k)) continue;
-    by_id.emplace(samples_.contacts[k].id, samples_.contacts[k].object.at(place));
+  for (const Touch& touch : touches(MapSide::kObject, hypothesis)) {
+    by_id.emplace(touch.contact->id, touch.contact->object.at(touch.place));
   }
   std::vector<Eigen::Vector3f> places;
   places.reserve(by_id.size());

@@ -33,9 +33,13 @@ class SurfaceExtents {
 
  private:
   void addTouches();
-  /// Whether a touch lies on a surface of that side that this hypothesis holds to be known: it
-  /// claims no matter of its own there.
-  bool isKnown(MapSide side, int hypothesis, std::size_t contact) const;
+  struct Touch {
+    const ContactHypotheses* contact;
+    int place;  ///< of its places
+  };
+  /// Where this hypothesis claims matter of its own on that side: not at contacts that it holds to
+  /// be false, nor on surfaces that it holds to be known.
+  std::vector<Touch> touches(MapSide side, int hypothesis) const;
   void grow(MapSide side);
   std::vector<ForbiddenMatter> forbiddenFor(MapSide side) const;
   MatterAllowed allowedFor(MapSide side, int hypothesis,
