@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "distance_to_line.h"
 #include "peg_in_fork.h"
 #include "smore/experiment/in_process_robot.h"
 #include "smore/simulation/simulated_robot.h"
@@ -43,6 +46,24 @@ TEST_F(InProcessRobotTest, retreatsToTheBeginningAndNoFurther) {
     EXPECT_EQ(back.end, MotionEnd::kReached) << back.reason;
     EXPECT_LT(gapBetween(robot_.pose(), scenario_.start), 0.003);
   }
+}
+
+// A bar of two metres that meets a post near its end: it swings back from the stop, and presses
+// with no force for a moment.
+TEST(InProcessRobot, feelsTheLineOfATouchWithTheEndOfALongBar) {
+  Scenario scenario = fork();
+  scenario.object = {{BoxShape{Vec3(0.2, 1.9, 0.17)}, Pose::Identity()}};
+  scenario.environment = {{CylinderShape{0.06, 0.9}, makePose(Vec3(-0.3, 0.7, 0.0))}};
+  scenario.goal = makePose(Vec3(-0.55, 0, 0));
+  const auto simulated = makeSimulatedRobot(scenario, 1);
+  std::vector<LineOfAction> lines;
+  InProcessRobot robot(simulated.get(), ContactSensingParameters{}, 1,
+                       [&lines](const ContactObservation& observation) {
+                         if (observation.line) lines.push_back(*observation.line);
+                       });
+  ASSERT_EQ(robot.follow({scenario.goal}).end, MotionEnd::kContact);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_LT(distanceToLine(lines[0], Vec3(-0.1, 0.7, 0.0)), 0.005);
 }
 
 }  // namespace
