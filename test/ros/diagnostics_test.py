@@ -108,7 +108,7 @@ class Diagnostics(unittest.TestCase):
 
     def test_contacts_that_give_no_line_are_told(self):
         stamp = rospy.Time.now()
-        for force in 150 * [1.0] + 12 * [9.0] + 20 * [1.0]:  # a contact of 24 ms
+        for force in 150 * [1.0] + 12 * [9.0] + 60 * [1.0]:  # a contact of 24 ms, and long enough without
             stamp += rospy.Duration.from_sec(PERIOD)
             self.source.send(stamp=stamp, force=(force, 0.0, 0.0))
         told = self.expect("force_torque: sensor", DiagnosticStatus.WARN, "without a line")
