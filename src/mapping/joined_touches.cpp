@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 namespace smore {
 namespace {
@@ -42,28 +41,24 @@ Points wayBetween(const Eigen::Vector3f& a, const Eigen::Vector3f& b, float dist
   return way;
 }
 
-// Straight, between two places.
-struct Way {
-  float length = 0.0F;
-  std::size_t from = 0;
-  std::size_t to = 0;
-  Points points;
+struct Pair {
+  std::size_t a;
+  std::size_t b;
+  float distance;
 };
 
-// Between neighbours, where all of it is allowed; the shortest first.
-std::vector<Way> waysBetween(const Points& pieces, float distance, const MatterAllowed& allowed) {
-  std::vector<Way> ways;
+// The nearest first.
+std::vector<Pair> neighbours(const Points& pieces) {
+  std::vector<Pair> pairs;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (!areNeighbours(pieces[i], pieces[j], pieces)) continue;
-      Points points = wayBetween(pieces[i], pieces[j], distance, allowed);
-      if (points.empty()) continue;
-      ways.push_back({(pieces[i] - pieces[j]).norm(), i, j, std::move(points)});
+      pairs.push_back({i, j, (pieces[i] - pieces[j]).norm()});
     }
   }
-  std::stable_sort(ways.begin(), ways.end(),
-                   [](const Way& a, const Way& b) { return a.length < b.length; });
-  return ways;
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& p, const Pair& q) { return p.distance < q.distance; });
+  return pairs;
 }
 
 }  // namespace
@@ -74,12 +69,14 @@ std::vector<Eigen::Vector3f> joinTouches(const std::vector<Eigen::Vector3f>& pla
   std::vector<std::size_t> part_of(pieces.size());  // of those joined so far, by one of its places
   std::iota(part_of.begin(), part_of.end(), 0);
   Points result;
-  for (const Way& way : waysBetween(pieces, distance, allowed)) {
-    const std::size_t from = part_of[way.from];
-    const std::size_t to = part_of[way.to];
-    if (from == to && way.length > longest_closing) continue;
-    std::replace(part_of.begin(), part_of.end(), from, to);
-    result.insert(result.end(), way.points.begin(), way.points.end());
+  for (const Pair& pair : neighbours(pieces)) {
+    const std::size_t part = part_of[pair.a];
+    const std::size_t other = part_of[pair.b];
+    if (part == other && pair.distance > longest_closing) continue;
+    const Points way = wayBetween(pieces[pair.a], pieces[pair.b], distance, allowed);
+    if (way.empty()) continue;
+    std::replace(part_of.begin(), part_of.end(), part, other);
+    result.insert(result.end(), way.begin(), way.end());
   }
   return result;
 }

@@ -139,6 +139,11 @@ double SurfaceExtents::longestRadius(MapSide side) const {
   return side == MapSide::kObject ? extent_.object_longest : extent_.world_longest;
 }
 
+double SurfaceExtents::radiusOf(MapSide side, int hypothesis) const {
+  const int order = side == MapSide::kObject ? secondOrder(hypothesis) : hypothesis;
+  return sizeOf(order, extent_.shortest, longestRadius(side));
+}
+
 float SurfaceExtents::longestWay(MapSide side) const {
   const double depth = side == MapSide::kObject ? extent_.object_longest : 0.0;
   return static_cast<float>(std::hypot(longestRadius(side), depth));
@@ -153,8 +158,7 @@ std::vector<SurfaceExtents::TouchedPatch> SurfaceExtents::touchedPatches(MapSide
   const bool on_object = side == MapSide::kObject;
   SurfacePatch patch;
   patch.step = static_cast<float>(stepOf());
-  patch.radius = static_cast<float>(sizeOf(on_object ? secondOrder(hypothesis) : hypothesis,
-                                           extent_.shortest, longestRadius(side)));
+  patch.radius = static_cast<float>(radiusOf(side, hypothesis));
   std::vector<TouchedPatch> result;
   for (const Touch& touch : touches(side, hypothesis)) {
     const ContactHypotheses& contact = *touch.contact;
@@ -204,8 +208,7 @@ std::vector<Eigen::Vector3f> SurfaceExtents::joined(int hypothesis,
   places.reserve(by_id.size());
   for (const auto& entry : by_id) places.push_back(entry.second);
   // As far as two patches of the object reach towards each other.
-  const auto longest_closing = static_cast<float>(
-      2.0 * sizeOf(secondOrder(hypothesis), extent_.shortest, longestRadius(MapSide::kObject)));
+  const auto longest_closing = static_cast<float>(2.0 * radiusOf(MapSide::kObject, hypothesis));
   return joinTouches(places, static_cast<float>(feature_.conflictDistance()), longest_closing,
                      allowed);
 }

@@ -13,7 +13,7 @@ namespace smore {
 struct ContactDetectorParameters {
   double contact_force = 5.0;   ///< mean force over the fast window at or above: touching [N]
   double free_force = 0.5;      ///< mean force over the slow window below: nothing touches [N]
-  double release_force = 2.5;   ///< a contact lasts until the release mean falls below [N]
+  double release_force = 2.5;   ///< release mean below: the contact may have ended [N]
   double residual_force = 3.0;  ///< what a gripper may keep after a touch (ResidualWatch) [N]
   double dwell = 0.004;         ///< how long the contact force must last; impacts are shorter [s]
   /// How long the mean must stay below the release force [s]: an object that swings in its grip

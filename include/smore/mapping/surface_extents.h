@@ -57,6 +57,8 @@ class SurfaceExtents {
   std::vector<Eigen::Vector3f> joined(int hypothesis, const MatterAllowed& allowed) const;
   bool hasPatches(MapSide side) const;
   double longestRadius(MapSide side) const;
+  /// How far surfaces of that side go on in this hypothesis [m].
+  double radiusOf(MapSide side, int hypothesis) const;
   /// From a touch to the farthest point of its patch [m].
   float longestWay(MapSide side) const;
   /// Between neighbouring points of a patch [m].
