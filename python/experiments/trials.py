@@ -12,6 +12,7 @@ import tempfile
 import time
 
 from experiments import workers
+from program_fingerprint import fingerprint
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build/devel/lib/smore/smore_experiment"
@@ -38,14 +39,14 @@ class Trial:
             *self.options, "--output", str(output),
         ]
 
-    def settings(self, directory):
-        """All that its result depends on, but for the program: equal wherever `directory` lies, and another one when a
-        scene or a file of parameters has changed."""
+    def settings(self, directory, build):
+        """All that its result depends on: equal wherever `directory` lies, and another one when a scene, a file of
+        parameters or the program, whose fingerprint is `build`, has changed."""
         scene = ROOT / f"config/scenarios/{self.scenario}.yaml"
         files = [scene if scene.exists() else self.scenario, *self.options]
         contents = [hashlib.sha1(path.read_bytes()).hexdigest() for path in map(pathlib.Path, files) if path.is_file()]
         told = json.dumps(dataclasses.asdict(self), ensure_ascii=False).replace(str(directory), "DIR")
-        return {**json.loads(told), "contents": contents}
+        return {**json.loads(told), "contents": contents, "program": build}
 
     def evidence(self):
         """The file that it records, or None."""
@@ -93,6 +94,7 @@ class Store:
     def __init__(self, directory):
         directory.mkdir(parents=True, exist_ok=True)
         self.directory = directory
+        self.build = fingerprint(PROGRAM)
         self.file = directory / "trials.jsonl"
         self.finished = {}
         text = self.file.read_text() if self.file.exists() else ""
@@ -110,12 +112,12 @@ class Store:
         """Whether this very trial is finished: another of its name, of other settings, is not, nor is one whose record
         is gone."""
         record = self.finished.get(trial.name)
-        if record is None or record.get("settings") != trial.settings(self.directory):
+        if record is None or record.get("settings") != trial.settings(self.directory, self.build):
             return False
         return trial.evidence() is None or trial.evidence().exists()
 
     def add(self, trial, result):
-        told = {"trial": dataclasses.asdict(trial), "settings": trial.settings(self.directory)}
+        told = {"trial": dataclasses.asdict(trial), "settings": trial.settings(self.directory, self.build)}
         line = json.dumps({**told, "result": result})
         with self.file.open("a") as stream:
             stream.write(line + "\n")

@@ -131,6 +131,12 @@ class ExperimentsTest(unittest.TestCase):
             run([Trial("t", str(scene), 1)], self.folder, 1)
         self.assertEqual(self.seeds_called(), [1, 1])
 
+    def test_a_trial_of_another_program_is_another(self):
+        for text in (PROGRAM, PROGRAM, PROGRAM + "# another build\n"):
+            trials.PROGRAM.write_text(text)
+            run([Trial("t", "scene", 1)], self.folder, 1)
+        self.assertEqual(self.seeds_called(), [1, 1])
+
     def test_a_directory_that_was_moved_keeps_its_trials(self):
         def asked(directory):
             return [trials.recorded("t", "scene", 1, "smore", directory)]
