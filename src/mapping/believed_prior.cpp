@@ -20,6 +20,15 @@ HypothesisMask BelievedPrior::knowing(MapSide side, const Eigen::Vector3f& place
   return result;
 }
 
+HypothesisMask BelievedPrior::knowingFree(MapSide side, const Eigen::Vector3f& place) const {
+  HypothesisMask result = 0;
+  for (int piece = 0; piece < evidence.count(); ++piece) {
+    const KnownMatter& known = evidence.known(piece);
+    if (known.side() == side && known.matterAt(place) == false) result |= worlds[piece];
+  }
+  return result;
+}
+
 std::vector<MaskedPoint> BelievedPrior::balls(MapSide side) const {
   std::vector<MaskedPoint> result;
   for (const MaskedPoint& ball : evidence.balls(side)) {

@@ -6,6 +6,10 @@
 namespace smore {
 namespace {
 
+// Places on the object are looked up a little farther away than balls touch: by the inverse of a
+// pose, whose rounding must not decide.
+constexpr float kLookUp = 1.01F;
+
 void setBit(CandidateBits* bits, int i) { (*bits)[i / 64] |= std::uint64_t{1} << (i % 64); }
 
 }  // namespace
@@ -13,8 +17,15 @@ void setBit(CandidateBits* bits, int i) { (*bits)[i / 64] |= std::uint64_t{1} <<
 FreeSpaceEvidence::FreeSpaceEvidence(const FreeSpaceParameters& parameters,
                                      double conflict_distance)
     : cells_(parameters),
-      object_index_(static_cast<float>(conflict_distance)),
-      world_index_(static_cast<float>(conflict_distance)) {}
+      distance_(static_cast<float>(conflict_distance)),
+      object_index_(kLookUp * distance_),
+      world_index_(distance_) {}
+
+bool FreeSpaceEvidence::overlap(const Eigen::Isometry3f& T_map_object, int object_place,
+                                int world_place) const {
+  const Eigen::Vector3f in_map = T_map_object * object_places_[object_place];
+  return (world_places_[world_place] - in_map).squaredNorm() < distance_ * distance_;
+}
 
 void FreeSpaceEvidence::mark(int object_place, int world_place) {
   const int on_object = contact_of_[object_place];
@@ -71,7 +82,7 @@ void FreeSpaceEvidence::markContact(int first, int end) {
     const Eigen::Isometry3f T_object_map = T.inverse();
     for (int j = first; j < end; ++j) {
       object_index_.forNear(T_object_map * world_places_[j], [&](int i) {
-        if (i < first || i >= end) mark(i, j);
+        if ((i < first || i >= end) && overlap(T, i, j)) mark(i, j);
       });
     }
   };

@@ -68,7 +68,8 @@ VoxelGrid marginalMap(const Worlds& worlds, MapSide side, double voxel_size) {
   };
   for (const WorldsAtUnit& part : worlds.sampled.parts()) {
     add(of_object ? part.object() : part.world(), part.radius());
-    add(of_object ? part.knownObject() : part.knownWorld(), part.knownRadius());
+    add(of_object ? part.knownObject() : part.knownWorld(),
+        of_object ? part.knownObjectRadius() : part.knownWorldRadius());
   }
   voxels.store();
   return grid;

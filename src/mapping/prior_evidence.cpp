@@ -85,40 +85,47 @@ void forEachBit(PriorMask mask, Visit visit) {
 
 }  // namespace
 
-double radiusOfKnown(const FeatureParameters& feature) { return 0.5 * feature.radius; }
-
-double bothKnownDistance(const FeatureParameters& feature) { return 2.0 * radiusOfKnown(feature); }
-
-double knownDistance(const FeatureParameters& feature) {
-  return feature.radius + radiusOfKnown(feature) - feature.tolerance;
-}
-
 PriorEvidence::PriorEvidence(const KnownPieces& known,
                              const std::vector<ContactHypotheses>& contacts,
                              const FreeSpaceEvidence& free, const PriorParameters& parameters,
                              const FeatureParameters& feature, bool planar)
-    : known_(known), ball_radius_(radiusOfKnown(feature)) {
+    : known_(known),
+      touched_radius_(feature.radius),
+      object_(sideOf(MapSide::kObject, feature, planar)),
+      world_(sideOf(MapSide::kWorld, feature, planar)) {
   if (known.empty()) return;
-  addBalls();
   sayings_.assign(known_.size(), std::vector<Saying>(contacts.size()));
   for (int piece = 0; piece < count(); ++piece) compare(piece, contacts, parameters, feature);
-  addFreeSpace(MapSide::kObject, contacts, free, feature, planar);
-  addFreeSpace(MapSide::kWorld, contacts, free, feature, planar);
+  addFreeSpace(MapSide::kObject, contacts, free, planar);
+  addFreeSpace(MapSide::kWorld, contacts, free, planar);
   comparePieces(free, feature, planar);
 }
 
-void PriorEvidence::addBalls() {
-  const auto radius = static_cast<float>(ball_radius_);
-  MaskedPoints object(0.5F * radius);
-  MaskedPoints world(0.5F * radius);
+// Matter that is told is known to half a voxel.
+PriorEvidence::Side PriorEvidence::sideOf(MapSide side, const FeatureParameters& feature,
+                                          bool planar) const {
+  double voxel = 0.0;
+  for (const auto& piece : known_) {
+    if (piece->side() == side) voxel = std::max(voxel, piece->voxelSize());
+  }
+  const double half_diagonal = 0.5 * std::sqrt(planar ? 2.0 : 3.0) * voxel;
+  Side result;
+  result.radius = std::max(0.5 * feature.radius, half_diagonal);
+  result.tolerance = std::max(feature.tolerance, 0.5 * voxel);
+  const auto radius = static_cast<float>(result.radius);
+  MaskedPoints balls(0.5F * radius);
   for (int piece = 0; piece < count(); ++piece) {
-    MaskedPoints& side = known(piece).side() == MapSide::kObject ? object : world;
+    if (known(piece).side() != side) continue;
     for (const Eigen::Vector3f& ball : known(piece).balls(radius)) {
-      side.add(ball, PriorMask{1} << piece);
+      balls.add(ball, PriorMask{1} << piece);
     }
   }
-  object_balls_ = object.points();
-  world_balls_ = world.points();
+  result.balls = balls.points();
+  return result;
+}
+
+double PriorEvidence::touchedDistance(MapSide side) const {
+  return touched_radius_ + of(side).radius - of(side).tolerance;
 }
 
 void PriorEvidence::compare(int piece, const std::vector<ContactHypotheses>& contacts,
@@ -141,8 +148,7 @@ void PriorEvidence::compare(int piece, const std::vector<ContactHypotheses>& con
 }
 
 void PriorEvidence::addFreeSpace(MapSide side, const std::vector<ContactHypotheses>& contacts,
-                                 const FreeSpaceEvidence& free, const FeatureParameters& feature,
-                                 bool planar) {
+                                 const FreeSpaceEvidence& free, bool planar) {
   const std::vector<MaskedPoint>& other = balls(otherSide(side));
   if (other.empty()) return;
   std::vector<MaskedPoint> places;
@@ -150,7 +156,7 @@ void PriorEvidence::addFreeSpace(MapSide side, const std::vector<ContactHypothes
     const PointArray& points = side == MapSide::kObject ? contact.object : contact.world;
     for (int i = 0; i < contact.count; ++i) places.push_back({points.at(i), 1});
   }
-  const auto distance = static_cast<float>(knownDistance(feature));
+  const auto distance = static_cast<float>(touchedDistance(otherSide(side)));
   const ForbiddenMatter forbidden(other, posesTo(side, free), boxAround(places, distance), distance,
                                   distance / 3.0F, planar);
   auto place = places.begin();
@@ -161,22 +167,22 @@ void PriorEvidence::addFreeSpace(MapSide side, const std::vector<ContactHypothes
   }
 }
 
-// Matter must overlap by twice the tolerance: both sides are known to a voxel, poses to a cell.
-// Where balls are hardly thicker than that, three quarters of them must. What lies within one
+// Matter must overlap by the tolerances of both sides: poses are known to a cell. Where balls are
+// hardly thicker than that, three quarters of them must. What lies within one
 // contact distance counts as one contradiction.
 void PriorEvidence::comparePieces(const FreeSpaceEvidence& free, const FeatureParameters& feature,
                                   bool planar) {
   between_.assign(known_.size(), std::vector<int>(known_.size(), 0));
-  if (object_balls_.empty() || world_balls_.empty()) return;
-  const auto distance = static_cast<float>(
-      std::max(bothKnownDistance(feature) - 2.0 * feature.tolerance, 0.5 * ball_radius_));
-  const ForbiddenMatter forbidden(world_balls_, posesTo(MapSide::kObject, free),
-                                  boxAround(object_balls_, distance), distance, distance / 3.0F,
+  if (object_.balls.empty() || world_.balls.empty()) return;
+  const auto distance = static_cast<float>(std::max(
+      bothKnownDistance() - object_.tolerance - world_.tolerance, 0.25 * bothKnownDistance()));
+  const ForbiddenMatter forbidden(world_.balls, posesTo(MapSide::kObject, free),
+                                  boxAround(object_.balls, distance), distance, distance / 3.0F,
                                   planar);
   const auto cell = static_cast<float>(feature.conflictDistance());
   std::vector<std::vector<std::set<std::uint64_t>>> cells(
       known_.size(), std::vector<std::set<std::uint64_t>>(known_.size()));
-  for (const MaskedPoint& ball : object_balls_) {
+  for (const MaskedPoint& ball : object_.balls) {
     const PriorMask in_world = forbidden.at(ball.point);
     if (in_world == 0) continue;
     forEachBit(ball.mask, [&](int p) {

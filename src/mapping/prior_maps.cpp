@@ -183,11 +183,21 @@ class PriorMaker {
                       : ofSolids(scene_.environment, regionOfContacts(scene_));
   }
 
-  // One voxel around the solid is known to be free, so that its surface is known for one.
+  // One voxel around the solid is known to be free, so that its surface is known for one. Voxels
+  // may grow with the box, and the box then grows with them.
+  Bounds withFreeRim(const Bounds& solid) const {
+    Bounds box = solid;
+    for (double size = voxel_size_, last = 0.0; size > last; size = voxelSizeFor(box)) {
+      box = widened(solid, 1.5 * size);
+      last = size;
+    }
+    return box;
+  }
+
   Source mesh(const PriorSource& entry) const {
     const double largest = of_object_ ? kLargestHeld : kLargestScene;
     const std::vector<Shape> shapes = {{loadMesh(entry.file, entry.scale, largest), entry.pose}};
-    return ofSolids(shapes, widened(smore::boundsOf(shapes), 1.5 * voxel_size_));
+    return ofSolids(shapes, withFreeRim(smore::boundsOf(shapes)));
   }
 
   Source cloud(const PriorSource& entry) const {

@@ -80,8 +80,11 @@ void SurfaceExtents::grow(MapSide side) {
   std::array<std::vector<Eigen::Vector3f>, kHypotheses> grown;
   parallelFor(kHypotheses, [&](std::size_t i) {
     const int m = static_cast<int>(i);
-    const MatterAllowed allowed = allowedFor(side, m, forbidden);
-    if (hasPatches(side)) grown[m] = patches(side, m, allowed);
+    const MatterAllowed allowed = allowedFor(side, m, forbidden, Known::kIsNotTouched);
+    if (hasPatches(side)) {
+      const MatterAllowed behind = allowedFor(side, m, forbidden, Known::kMatterGoesOn);
+      grown[m] = patches(side, m, allowed, behind);
+    }
     if (side == MapSide::kObject) {
       const std::vector<Eigen::Vector3f> joints = joined(m, allowed);
       grown[m].insert(grown[m].end(), joints.begin(), joints.end());
@@ -110,23 +113,27 @@ std::vector<ForbiddenMatter> SurfaceExtents::forbiddenFor(MapSide side) const {
   std::vector<ForbiddenMatter> forbidden;
   forbidden.emplace_back(on_object ? world_.points() : object_.points(), poses, region, distance,
                          cell, planar_);
-  const std::vector<MaskedPoint> known =
-      samples_.prior.balls(on_object ? MapSide::kWorld : MapSide::kObject);
+  const MapSide other = on_object ? MapSide::kWorld : MapSide::kObject;
+  const std::vector<MaskedPoint> known = samples_.prior.balls(other);
   if (!known.empty()) {
-    forbidden.emplace_back(known, poses, region, static_cast<float>(knownDistance(feature_)), cell,
-                           planar_);
+    const auto touched = static_cast<float>(samples_.prior.evidence.touchedDistance(other));
+    forbidden.emplace_back(known, poses, region, touched, cell, planar_);
   }
   return forbidden;
 }
 
 MatterAllowed SurfaceExtents::allowedFor(MapSide side, int hypothesis,
-                                         const std::vector<ForbiddenMatter>& forbidden) const {
+                                         const std::vector<ForbiddenMatter>& forbidden,
+                                         Known known) const {
   const HypothesisMask bit = HypothesisMask{1} << hypothesis;
   const bool on_object = side == MapSide::kObject;
   const auto reach = static_cast<float>(feature_.reach);
-  return [this, &forbidden, side, bit, on_object, reach](const Eigen::Vector3f& point) {
+  return [this, &forbidden, known, side, bit, on_object, reach](const Eigen::Vector3f& point) {
     if (on_object && point.norm() > reach) return false;
-    if ((samples_.prior.knowing(side, point) & bit) != 0) return false;
+    const HypothesisMask refused = known == Known::kMatterGoesOn
+                                       ? samples_.prior.knowingFree(side, point)
+                                       : samples_.prior.knowing(side, point);
+    if ((refused & bit) != 0) return false;
     return std::all_of(forbidden.begin(), forbidden.end(), [&](const ForbiddenMatter& matter) {
       return (matter.at(point) & bit) == 0;
     });
@@ -172,21 +179,22 @@ std::vector<SurfaceExtents::TouchedPatch> SurfaceExtents::touchedPatches(MapSide
 }
 
 int SurfaceExtents::objectDepth(int hypothesis, const std::vector<TouchedPatch>& touched,
-                                const MatterAllowed& allowed) const {
+                                const MatterAllowed& behind) const {
   const double drawn = sizeOf(thirdOrder(hypothesis), extent_.shortest, extent_.object_longest);
   auto depth = static_cast<int>(drawn / stepOf());
   for (TouchedPatch at : touched) {
     at.patch.depth = depth;
-    depth = depthBehind(at.patch, allowed);
+    depth = depthBehind(at.patch, behind);
   }
   return depth;
 }
 
 std::vector<Eigen::Vector3f> SurfaceExtents::patches(MapSide side, int hypothesis,
-                                                     const MatterAllowed& allowed) const {
+                                                     const MatterAllowed& allowed,
+                                                     const MatterAllowed& behind) const {
   const bool on_object = side == MapSide::kObject;
   const std::vector<TouchedPatch> touched = touchedPatches(side, hypothesis);
-  const int depth = on_object ? objectDepth(hypothesis, touched, allowed) : 0;
+  const int depth = on_object ? objectDepth(hypothesis, touched, behind) : 0;
   std::vector<Eigen::Vector3f> result;
   for (TouchedPatch at : touched) {
     at.patch.depth = depth;

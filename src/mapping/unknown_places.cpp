@@ -2,7 +2,6 @@
 #include "smore/mapping/unknown_places.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "smore/mapping/counter_random.h"
 
@@ -12,12 +11,16 @@ namespace {
 // They tell shares apart by a hundredth.
 constexpr int kPlaces = 128;
 
+// One piece that may go on farther than it says is enough for no limit.
 float reachOfKnownObject(const KnownPieces& pieces, float otherwise) {
-  std::optional<float> farthest;
+  float farthest = 0.0F;
+  bool any = false;
   for (const auto& piece : pieces) {
-    if (piece->side() == MapSide::kObject) farthest = std::max(farthest, piece->reach());
+    if (piece->side() != MapSide::kObject || piece->surface().empty()) continue;
+    any = true;
+    farthest = std::max(farthest, piece->reach().value_or(otherwise));
   }
-  return std::min(farthest.value_or(otherwise), otherwise);
+  return any ? std::min(farthest, otherwise) : otherwise;
 }
 
 std::vector<Eigen::Vector3f> placesWithin(float reach, bool planar) {

@@ -17,7 +17,8 @@ WorldsAtUnit::WorldsAtUnit(const WorldSamples& samples, const FeatureParameters&
                            const ExtentParameters& extent, bool planar, std::uint64_t seed)
     : radius_(feature.radius),
       contact_distance_(feature.conflictDistance()),
-      known_radius_(radiusOfKnown(feature)),
+      known_object_radius_(samples.prior.evidence.ballRadius(MapSide::kObject)),
+      known_world_radius_(samples.prior.evidence.ballRadius(MapSide::kWorld)),
       members_(samples.members),
       unknown_(samples.prior, samples.members, feature.reach, planar),
       known_object_(samples.prior.balls(MapSide::kObject)),
@@ -26,17 +27,16 @@ WorldsAtUnit::WorldsAtUnit(const WorldSamples& samples, const FeatureParameters&
   object_ = surfaces.object();
   world_ = surfaces.world();
   const auto touched = static_cast<float>(contact_distance_);
-  const auto known = static_cast<float>(knownDistance(feature));
-  const auto both_known = static_cast<float>(bothKnownDistance(feature));
   const float block = kBlockSizes * touched;
-  const auto add = [&](const auto& object, const auto& world, float distance) {
+  const auto add = [&](const auto& object, const auto& world, double distance) {
     if (object.empty() || world.empty()) return;
-    overlaps_.emplace_back(object, world, distance, block, planar);
+    overlaps_.emplace_back(object, world, static_cast<float>(distance), block, planar);
   };
+  const PriorEvidence& known = samples.prior.evidence;
   add(object_, world_, touched);
-  add(known_object_, world_, known);
-  add(object_, known_world_, known);
-  add(known_object_, known_world_, both_known);
+  add(known_object_, world_, known.touchedDistance(MapSide::kObject));
+  add(object_, known_world_, known.touchedDistance(MapSide::kWorld));
+  add(known_object_, known_world_, known.bothKnownDistance());
 }
 
 void WorldsAtUnit::setTouching(const Eigen::Isometry3f& T_map_object, double reach) {

@@ -50,10 +50,11 @@ PosturePaths::PosturePaths(const RiskMotions& motions, const RiskSpace& space,
     : motions_(&motions), space_(space), measure_(measure) {}
 
 std::vector<RiskPath> PosturePaths::best(const RiskState& start, const RiskState& goal, int tried,
-                                         int kept, std::uint64_t seed) const {
+                                         int kept, const Deadline& deadline,
+                                         std::uint64_t seed) const {
   std::vector<Best> parts(kParts, Best(kept));
   parallelFor(kParts, [&](std::size_t part) {
-    for (int i = static_cast<int>(part); i < tried; i += kParts) {
+    for (int i = static_cast<int>(part); i < tried && !deadline.passed(); i += kParts) {
       CounterRandom random(mixBits(seed, i));
       std::vector<RiskState> states = draw(start, goal, &random);
       if (states.empty() || !mayBeBelow(parts[part].limit(), states)) continue;

@@ -76,6 +76,7 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
 
 Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   const std::shared_ptr<const Worlds> worlds = belief_->worlds();
+  const Deadline deadline(parameters_.time_limit);
   const std::uint64_t seed = mixBits(seed_, calls_++);
   const double unit = worlds->unit;
   const RiskObjective& objective = parameters_.objective;
@@ -95,7 +96,7 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
       worlds,
       seed,
       CounterRandom(seed),
-      Deadline(parameters_.time_limit)};
+      deadline};
   if (!space.contains(search.start)) return Failure{"the start is outside of the workspace"};
   if (!space.contains(search.goal)) return Failure{"the goal is outside of the workspace"};
   std::vector<RiskPath> paths = climb(&search);
@@ -134,6 +135,7 @@ void RiskPlanner::searchFurther(const Search& search, std::vector<RiskPath>* pat
 // What the search found earlier and did not take may be the best by now.
 void RiskPlanner::addAlternatives(const Search& search, std::vector<RiskPath>* paths) const {
   for (std::vector<RiskState> states : alternatives_) {
+    if (search.deadline.passed()) return;
     states.front() = search.start;
     states.back() = search.goal;
     paths->emplace_back(search.motions, search.measure, std::move(states));
@@ -141,10 +143,9 @@ void RiskPlanner::addAlternatives(const Search& search, std::vector<RiskPath>* p
 }
 
 void RiskPlanner::addPostures(const Search& search, std::vector<RiskPath>* paths) const {
-  if (search.deadline.passed()) return;
   const PosturePaths postures(search.motions, search.space, search.measure);
   for (RiskPath& path : postures.best(search.start, search.goal, parameters_.postures,
-                                      parameters_.kept_postures, ~search.seed)) {
+                                      parameters_.kept_postures, search.deadline, ~search.seed)) {
     paths->push_back(std::move(path));
   }
 }

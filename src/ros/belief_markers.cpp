@@ -59,8 +59,10 @@ class WorldDrawing {
     const Pose here = Pose::Identity();
     draw("touched object", part_.object(), part_.radius(), blue, frames.object, here);
     draw("touched world", part_.world(), part_.radius(), orange, frames.world, T_world_map);
-    draw("known object", part_.knownObject(), part_.knownRadius(), sky_blue, frames.object, here);
-    draw("known world", part_.knownWorld(), part_.knownRadius(), yellow, frames.world, T_world_map);
+    draw("known object", part_.knownObject(), part_.knownObjectRadius(), sky_blue, frames.object,
+         here);
+    draw("known world", part_.knownWorld(), part_.knownWorldRadius(), yellow, frames.world,
+         T_world_map);
   }
 
  private:

@@ -80,6 +80,54 @@ TEST(PriorBelief, FreeSpaceAloneTellsThatTwoPiecesCannotBothBeTrue) {
   EXPECT_NEAR(object + world, 1.0, 0.1);
 }
 
+// A slab across x, 4.5 cm thick and 30 cm wide, in voxels of 15 mm.
+Prior slabKnown() {
+  constexpr double kSize = 0.015;
+  Prior prior{VoxelGrid(kSize), 0.999};
+  visitVoxels(voxelAt({-0.1, -0.2, -0.2}, kSize), voxelAt({0.1, 0.2, 0.2}, kSize),
+              [&](const VoxelKey& key) {
+                const Vec3 center = voxelCenter(key, kSize);
+                const bool is_matter = std::abs(center.x()) < 0.0225 &&
+                                       std::abs(center.y()) < 0.15 && std::abs(center.z()) < 0.15;
+                prior.known.set(key, is_matter ? 1.0F : 0.0F);
+              });
+  return prior;
+}
+
+// However small the unit of length is against the voxels in which it is told.
+TEST(PriorBelief, KnownMatterPassesNowhereThroughKnownMatter) {
+  for (const double unit : {0.005, 0.02, 0.1}) {
+    JointBeliefParameters parameters;
+    parameters.unit = unit;
+    JointBelief belief(parameters);
+    belief.know(MapSide::kObject, slabKnown());
+    belief.know(MapSide::kWorld, slabKnown());
+    for (const double y : {0.0, 0.0025, 0.005, 0.0075, 0.01}) {
+      for (const double z : {0.0, 0.0035, 0.0075}) {
+        const Eigen::Isometry3f T = makePose({0.0, y, z}).cast<float>();
+        EXPECT_GT(__builtin_popcountll(belief.worlds()->sampled.touching(T)), 60)
+            << "unit " << unit << ", beside one another by " << y << ", " << z;
+      }
+    }
+  }
+}
+
+// The same slabs flat on one another, free at a pose: no contradiction, at any unit.
+TEST(PriorBelief, KnownMatterThatSlidesAlongKnownMatterIsKept) {
+  for (const double unit : {0.005, 0.02, 0.1}) {
+    JointBeliefParameters parameters;
+    parameters.unit = unit;
+    JointBelief belief(parameters);
+    belief.know(MapSide::kObject, slabKnown());
+    belief.know(MapSide::kWorld, slabKnown());
+    for (const double y : {0.0, 0.01, 0.02}) {
+      belief.observe(freeAt(makePose({0.045, y, 0.0}), y));
+    }
+    EXPECT_GT(probabilityAt(belief.world(), Vec3::Zero()), 0.9) << unit;
+    EXPECT_GT(probabilityAt(belief.object(), Vec3::Zero()), 0.9) << unit;
+  }
+}
+
 TEST(PriorBelief, IsOverruledByMoreTouchesTheSurerItIs) {
   const auto touchesUntilGivenUp = [](double confidence) {
     JointBelief belief(planarParameters());

@@ -113,6 +113,25 @@ TEST(PriorMaps, AMeshSaysWhatIsInItsOwnBox) {
   EXPECT_EQ(saidAt(prior, {0.15, 0.15, 0.001}), Said::kNothing);
 }
 
+// So large a mesh is told in larger voxels than asked for, and still what is around it is free.
+TEST(PriorMaps, ALargeMeshHasFreeSpaceOnAllSides) {
+  TemporaryDirectory directory;
+  PriorSource mesh = fromFile(PriorFormat::kMesh, directory.write("cube.obj", cubeObj()));
+  mesh.scale = Vec3(2.0, 2.0, 1.0);
+  Scenario scene = sceneWith({{}, {mesh}});
+  scene.motion = Motion::kSpatial;
+  scene.voxel_size = 0.01;
+  const Prior prior = makePriors(scene).world.at(0);
+  const double rim = prior.known.voxelSize();
+  EXPECT_GT(rim, 0.0075);
+  for (const double side : {-rim, 2.0 + rim}) {
+    EXPECT_EQ(saidAt(prior, {side, 1.0, 0.5}), Said::kFree) << side;
+    EXPECT_EQ(saidAt(prior, {1.0, side, 0.5}), Said::kFree) << side;
+  }
+  EXPECT_EQ(saidAt(prior, {1.0, 1.0, -rim}), Said::kFree);
+  EXPECT_EQ(saidAt(prior, {1.0, 1.0, 1.0 + rim}), Said::kFree);
+}
+
 // A sheet of a millimetre, between two layers of voxels or anywhere: nothing passes it.
 TEST(PriorMaps, ThinMatterIsThickenedAndNeverFree) {
   for (const double place : {0.3, 0.302, 0.305, 0.308}) {

@@ -98,19 +98,24 @@ TEST(SurfaceExtents, EndAtFreeSpaceBesideTheLargestPatch) {
   EXPECT_GE(nearest(evidence), 0.9 * distance);
 }
 
-// The object's matter in planar motion; all contacts are at their first places.
+// The object's matter in planar motion; all contacts are at their first places, and all worlds hold
+// what is known to be true.
 std::vector<MaskedPoint> objectInThePlane(const std::vector<ContactHypotheses>& contacts,
-                                          const FreeSpaceEvidence& evidence) {
+                                          const FreeSpaceEvidence& evidence,
+                                          const KnownPieces& known = {}) {
   const JointBeliefParameters lengths = atADecimetre();
   const std::vector<Explanation> explanations(kHypotheses, Explanation(contacts.size(), 0));
-  return SurfaceExtents({contacts, evidence, explanations, ~HypothesisMask{0}, {}}, lengths.feature,
-                        lengths.extent, true, 1)
+  const BelievedPrior believed{
+      PriorEvidence(known, contacts, evidence, lengths.prior, lengths.feature, true),
+      std::vector<HypothesisMask>(known.size(), ~HypothesisMask{0})};
+  return SurfaceExtents({contacts, evidence, explanations, ~HypothesisMask{0}, believed},
+                        lengths.feature, lengths.extent, true, 1)
       .object();
 }
 
 // Worlds in which the object, touched at its left ends at two heights, goes on for more than 20 cm
 // behind the upper touch; `ahead` of the lower one what was touched in the world lay free.
-int worldsOfDepth(double ahead) {
+int worldsOfDepth(double ahead, const KnownPieces& known = {}) {
   const JointBeliefParameters lengths = atADecimetre();
   FreeSpaceEvidence evidence(lengths.free_space, lengths.feature.conflictDistance());
   evidence.addPose(Pose::Identity());
@@ -121,7 +126,7 @@ int worldsOfDepth(double ahead) {
       contactAt(upper, far, 1), contactAt(lower, Vec3(lower + ahead * Vec3::UnitX()), 2)};
   for (ContactHypotheses& contact : contacts) contact.object_normal.set(0, Vec3::UnitX());
   HypothesisMask worlds = 0;
-  for (const MaskedPoint& ball : objectInThePlane(contacts, evidence)) {
+  for (const MaskedPoint& ball : objectInThePlane(contacts, evidence, known)) {
     if (ball.point.x() > 0.2F && std::abs(ball.point.y() - 0.3F) < 0.02F) worlds |= ball.mask;
   }
   return __builtin_popcountll(worlds);
@@ -133,6 +138,19 @@ TEST(SurfaceExtents, GoOnBehindAllTouchesAsDeepAsFreeSpaceAllowsBehindEach) {
                         std::log(extent.object_longest / extent.shortest) * kHypotheses;
   EXPECT_NEAR(worldsOfDepth(3.0), deeper, 4.0);
   EXPECT_EQ(worldsOfDepth(0.1), 0) << "the object is thinner than that elsewhere";
+}
+
+// What is known to be matter goes on behind a touch as much as what is not known does; what is
+// known to be free does not.
+TEST(SurfaceExtents, GoOnThroughKnownMatterAndEndWhereNothingIsKnownToBe) {
+  const auto behindTheLower = [](float probability) -> KnownPieces {
+    Prior prior{VoxelGrid(0.01), 0.999};
+    visitVoxels(voxelAt({0.05, -0.35, 0.0}, 0.01), voxelAt({0.8, -0.25, 0.0}, 0.01),
+                [&](const VoxelKey& key) { prior.known.set(key, probability); });
+    return {std::make_shared<const KnownMatter>(MapSide::kObject, prior, Pose::Identity(), true)};
+  };
+  EXPECT_EQ(worldsOfDepth(3.0, behindTheLower(1.0F)), worldsOfDepth(3.0));
+  EXPECT_EQ(worldsOfDepth(3.0, behindTheLower(0.0F)), 0);
 }
 
 TEST(SurfaceExtents, JoinTouchesInThePlaneToo) {

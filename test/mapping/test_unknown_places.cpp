@@ -47,6 +47,19 @@ TEST(UnknownPlaces, AreItsMatterWhereTheObjectIsKnown) {
   EXPECT_EQ(shareAt(belief, 3.0), shareAt(belief, 0.0));
 }
 
+// A part of the object of which no end is known may reach as far as anything that is held.
+TEST(UnknownPlaces, ReachAsFarAsEverWhereAnyPartOfTheObjectMayGoOn) {
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kWorld, wall());
+  belief.know(MapSide::kObject, barKnown());
+  Prior cloud{VoxelGrid(0.01), 0.999};
+  cloud.known.set(voxelAt({0.0, 0.1, 0.0}, 0.01), 1.0F);
+  const double alone = shareAt(belief, 0.35);
+  belief.know(MapSide::kObject, cloud);
+  EXPECT_EQ(alone, 0.0);
+  EXPECT_GT(shareAt(belief, 0.35), 0.1);
+}
+
 // An unknown object may touch the wall alone: half of what lies within reach.
 TEST(UnknownPlaces, AreTheMatterWithinReachWhereTheWorldIsKnown) {
   JointBelief belief(planarParameters());

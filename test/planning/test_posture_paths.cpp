@@ -26,9 +26,9 @@ class PosturePathsIn : public testing::TestWithParam<Motion> {
   const RiskState start_ = space_.toState(makePose({0, 0, 0}));
   const RiskState goal_ = space_.toState(makePose({-1, 0.1, 0}));
 
-  std::vector<RiskPath> best(int tried, int kept, std::uint64_t seed) const {
+  std::vector<RiskPath> best(int tried, int kept, std::uint64_t seed, double seconds = 60.0) const {
     return PosturePaths(motions_, space_, {{}, nullptr, 0.0})
-        .best(start_, goal_, tried, kept, seed);
+        .best(start_, goal_, tried, kept, Deadline(seconds), seed);
   }
 };
 
@@ -52,6 +52,10 @@ TEST_P(PosturePathsIn, GoesOnInOnePostureInsideOfTheWorkspace) {
     EXPECT_TRUE(states[1].rotation.isApprox(states[2].rotation));
     for (const RiskState& state : states) EXPECT_TRUE(space_.contains(state));
   }
+}
+
+TEST_P(PosturePathsIn, TriesNoMoreOnceTheDeadlineHasPassed) {
+  EXPECT_TRUE(best(60, 60, 3, 0.0).empty());
 }
 
 // The coarsest postures of all, quarter turns, are among few tries already.

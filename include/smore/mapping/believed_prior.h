@@ -17,6 +17,8 @@ struct BelievedPrior {
 
   /// The worlds in which it is known beforehand what is at this place, matter or nothing.
   HypothesisMask knowing(MapSide side, const Eigen::Vector3f& place) const;
+  /// Those in which it is known that there is nothing.
+  HypothesisMask knowingFree(MapSide side, const Eigen::Vector3f& place) const;
 
   /// Balls of known matter, with the worlds that hold it to be there.
   std::vector<MaskedPoint> balls(MapSide side) const;

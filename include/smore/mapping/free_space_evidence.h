@@ -56,10 +56,13 @@ class FreeSpaceEvidence {
   }
 
  private:
+  /// Whether two balls overlap at a pose: decided in one way, whichever came first.
+  bool overlap(const Eigen::Isometry3f& T_map_object, int object_place, int world_place) const;
   void mark(int object_place, int world_place);
   void markContact(int first, int end);
 
   FreeCells cells_;
+  float distance_;  ///< of the centres of two balls at which they touch [m]
   std::vector<Eigen::Isometry3f> poses_;
   // The places of all contacts, one contact after the other.
   std::vector<Eigen::Vector3f> object_places_;

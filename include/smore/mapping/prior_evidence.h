@@ -57,9 +57,16 @@ class PriorEvidence {
   PriorMask covering(MapSide side, int contact, int place) const;
 
   /// Balls of all pieces of one side, with the pieces that they belong to.
-  const std::vector<MaskedPoint>& balls(MapSide side) const {
-    return side == MapSide::kObject ? object_balls_ : world_balls_;
-  }
+  const std::vector<MaskedPoint>& balls(MapSide side) const { return of(side).balls; }
+
+  /// Radius of these balls [m]: half of that of touched ones, whose depth is a guess, or what holds
+  /// a voxel of the pieces, so that nothing passes between them.
+  double ballRadius(MapSide side) const { return of(side).radius; }
+
+  /// Distance of the centres of two balls at which they touch [m]: of a touched ball of the other
+  /// side and one of these, and of two of known matter, which are no guesses.
+  double touchedDistance(MapSide side) const;
+  double bothKnownDistance() const { return object_.radius + world_.radius; }
 
  private:
   /// What one piece says about one contact's places.
@@ -69,27 +76,27 @@ class PriorEvidence {
     std::array<std::uint8_t, kCandidates> conflicts{};  ///< how often it contradicts the piece
   };
 
-  void addBalls();
+  /// What is known of one side.
+  struct Side {
+    std::vector<MaskedPoint> balls;
+    double radius = 0.0;     ///< of the balls [m]
+    double tolerance = 0.0;  ///< overlap that is still no contradiction [m]
+  };
+
+  const Side& of(MapSide side) const { return side == MapSide::kObject ? object_ : world_; }
+  Side sideOf(MapSide side, const FeatureParameters& feature, bool planar) const;
   void compare(int piece, const std::vector<ContactHypotheses>& contacts,
                const PriorParameters& parameters, const FeatureParameters& feature);
   void addFreeSpace(MapSide side, const std::vector<ContactHypotheses>& contacts,
-                    const FreeSpaceEvidence& free, const FeatureParameters& feature, bool planar);
+                    const FreeSpaceEvidence& free, bool planar);
   void comparePieces(const FreeSpaceEvidence& free, const FeatureParameters& feature, bool planar);
 
   KnownPieces known_;
-  double ball_radius_ = 0.0;
-  std::vector<MaskedPoint> object_balls_;
-  std::vector<MaskedPoint> world_balls_;
+  double touched_radius_ = 0.0;
+  Side object_;
+  Side world_;
   std::vector<std::vector<Saying>> sayings_;  ///< [piece][contact]
   std::vector<std::vector<int>> between_;     ///< [piece][piece]
 };
-
-/// Distance of the centres of two balls of known matter at which they touch [m]: without a
-/// tolerance, since neither is a guess.
-double bothKnownDistance(const FeatureParameters& feature);
-/// The same of a touched ball and one of known matter.
-double knownDistance(const FeatureParameters& feature);
-/// Radius of the balls of known matter [m]: half of that of touched ones, whose depth is a guess.
-double radiusOfKnown(const FeatureParameters& feature);
 
 }  // namespace smore

@@ -42,8 +42,12 @@ class SurfaceExtents {
   std::vector<Touch> touches(MapSide side, int hypothesis) const;
   void grow(MapSide side);
   std::vector<ForbiddenMatter> forbiddenFor(MapSide side) const;
+  enum class Known {
+    kIsNotTouched,  ///< what is known beforehand, matter or nothing, is not claimed once more
+    kMatterGoesOn,  ///< known matter is matter
+  };
   MatterAllowed allowedFor(MapSide side, int hypothesis,
-                           const std::vector<ForbiddenMatter>& forbidden) const;
+                           const std::vector<ForbiddenMatter>& forbidden, Known known) const;
   struct TouchedPatch {
     std::uint64_t id;  ///< of its contact
     SurfacePatch patch;
@@ -51,9 +55,9 @@ class SurfaceExtents {
   std::vector<TouchedPatch> touchedPatches(MapSide side, int hypothesis) const;
   /// How deep the object is behind all of its touches [steps].
   int objectDepth(int hypothesis, const std::vector<TouchedPatch>& touched,
-                  const MatterAllowed& allowed) const;
-  std::vector<Eigen::Vector3f> patches(MapSide side, int hypothesis,
-                                       const MatterAllowed& allowed) const;
+                  const MatterAllowed& behind) const;
+  std::vector<Eigen::Vector3f> patches(MapSide side, int hypothesis, const MatterAllowed& allowed,
+                                       const MatterAllowed& behind) const;
   std::vector<Eigen::Vector3f> joined(int hypothesis, const MatterAllowed& allowed) const;
   bool hasPatches(MapSide side) const;
   double longestRadius(MapSide side) const;

@@ -63,7 +63,8 @@ class WorldsAtUnit {
   /// The same of matter that was known beforehand.
   const std::vector<MaskedPoint>& knownObject() const { return known_object_; }
   const std::vector<MaskedPoint>& knownWorld() const { return known_world_; }
-  double knownRadius() const { return known_radius_; }
+  double knownObjectRadius() const { return known_object_radius_; }
+  double knownWorldRadius() const { return known_world_radius_; }
 
   /// Distance of two touched balls' centres at which they touch [m].
   double contactDistance() const { return contact_distance_; }
@@ -78,7 +79,8 @@ class WorldsAtUnit {
 
   double radius_;
   double contact_distance_;
-  double known_radius_;
+  double known_object_radius_;
+  double known_world_radius_;
   HypothesisMask members_;
   UnknownPlaces unknown_;
   std::vector<TouchingPose> touching_poses_;

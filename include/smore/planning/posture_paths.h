@@ -17,9 +17,10 @@ class PosturePaths {
   /// `motions` is a view, as is the room of `measure`.
   PosturePaths(const RiskMotions& motions, const RiskSpace& space, const PathValue& measure);
 
-  /// The `kept` best of `tried` random ones, best first. The same seed gives the same ones.
+  /// The `kept` best of `tried` random ones, best first; of fewer where the deadline passes. The
+  /// same seed gives the same ones.
   std::vector<RiskPath> best(const RiskState& start, const RiskState& goal, int tried, int kept,
-                             std::uint64_t seed) const;
+                             const Deadline& deadline, std::uint64_t seed) const;
 
  private:
   std::vector<RiskState> draw(const RiskState& start, const RiskState& goal,
