@@ -26,7 +26,7 @@ struct Worlds {
   double unit = 0.0;          ///< of length, of matter [m]: the worlds' geometric mean
   double held = 0.0;          ///< the same of the reach of what is held: no smaller
   FeatureParameters feature;  ///< what a touch was assumed to be in most worlds [m]
-  FreeCells free;             ///< where the object was free, in cells of that unit
+  FreeCells free;             ///< where the object was free, in cells of the likeliest unit
   /// Motions that were free, in the order in which they were made [T_world_object].
   std::vector<Path> tracks;
   std::size_t contacts = 0;  ///< observed so far, those that were merged included
