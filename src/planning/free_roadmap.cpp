@@ -6,6 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "smore/mapping/free_tracks.h"
+
 namespace smore {
 namespace {
 
@@ -26,18 +28,39 @@ void join(const Path& poses, int a, int b, Edges* edges) {
   (*edges)[b].push_back({a, length});
 }
 
-// Edges along each track, and between poses that are the same. `track_of` tells the track of each
-// pose.
+// Whether the motion from `a` to `b` passes `pose`; where it hardly moves, in its turn.
+bool passes(const Pose& a, const Pose& b, const Pose& pose, const FreeSpaceParameters& cell) {
+  const Vec3 along = b.translation() - a.translation();
+  const Vec3 to_pose = pose.translation() - a.translation();
+  if (to_pose.norm() > along.norm() + cell.position_cell) return false;
+  const double turn = angleBetween(a, b);
+  double share = 0.0;
+  if (along.norm() > cell.position_cell) {
+    share = along.dot(to_pose) / along.squaredNorm();
+  } else if (turn > 0.0) {
+    share = angleBetween(a, pose) / turn;
+  }
+  return same(interpolate(a, b, std::clamp(share, 0.0, 1.0)), pose, cell);
+}
+
+// Edges along each track, from each pose to those that are the same, and to both ends of motions
+// that pass it. `track_of` tells the track of each pose.
 Edges edgesBetween(const Path& poses, const std::vector<int>& track_of,
                    const FreeSpaceParameters& cell) {
   const int count = static_cast<int>(poses.size());
   Edges edges(count);
-  for (int i = 1; i < count; ++i) {
-    const bool is_next = track_of[i] == track_of[i - 1];
-    if (is_next) join(poses, i - 1, i, &edges);
-    const int others = is_next ? i - 1 : i;
+  const auto isMotionTo = [&](int i) { return i > 0 && track_of[i] == track_of[i - 1]; };
+  for (int i = 0; i < count; ++i) {
+    if (isMotionTo(i)) join(poses, i - 1, i, &edges);
+    const int others = isMotionTo(i) ? i - 1 : i;
     for (int k = 0; k < others; ++k) {
       if (same(poses[i], poses[k], cell)) join(poses, k, i, &edges);
+    }
+    for (int k = 1; k < count; ++k) {
+      const bool is_own = k == i || k - 1 == i;
+      if (is_own || !isMotionTo(k) || !passes(poses[k - 1], poses[k], poses[i], cell)) continue;
+      join(poses, k - 1, i, &edges);
+      join(poses, k, i, &edges);
     }
   }
   return edges;
@@ -46,7 +69,7 @@ Edges edgesBetween(const Path& poses, const std::vector<int>& track_of,
 }  // namespace
 
 FreeRoadmap::FreeRoadmap(const std::vector<Path>& tracks, const Pose& from,
-                         const FreeSpaceParameters& cell) {
+                         const FreeSpaceParameters& cell, double unit) {
   Path poses{from};
   std::vector<int> track_of{-1};
   for (std::size_t track = 0; track < tracks.size(); ++track) {
@@ -54,7 +77,10 @@ FreeRoadmap::FreeRoadmap(const std::vector<Path>& tracks, const Pose& from,
     track_of.insert(track_of.end(), tracks[track].size(), static_cast<int>(track));
   }
   const int count = static_cast<int>(poses.size());
-  const Edges edges = edgesBetween(poses, track_of, cell);
+  Edges edges = edgesBetween(poses, track_of, cell);
+  for (int i = 1; i < count; ++i) {
+    if (isThinnedOut(poses[i], from, unit)) join(poses, 0, i, &edges);
+  }
 
   // Dijkstra's algorithm; poses become reachable in the order of their distance.
   std::vector<double> distance(count, std::numeric_limits<double>::infinity());

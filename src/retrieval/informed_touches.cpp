@@ -31,7 +31,8 @@ InformedTouches::InformedTouches(const JointBelief& belief, const MotionSpace& s
 Result<Path> InformedTouches::nextTouch(const Pose& from) {
   if (belief_->contactCount() == 0) return first_.nextTouch(from);
   const ContactRisk risk(belief_->worlds());
-  const FreeRoadmap roadmap(risk.worlds().tracks, from, risk.worlds().free.parameters());
+  const FreeRoadmap roadmap(risk.worlds().tracks, from, risk.worlds().free.parameters(),
+                            risk.worlds().unit);
   int best_turn = 0;
   Pose best_end = from;
   information_ = 0.0;

@@ -24,7 +24,7 @@ constexpr Range kShare{1e-6, 0.999};
 constexpr Range kShareOrNone{0.0, 1.0};  // 0: off
 constexpr Range kSteps{1, 1000};
 constexpr Range kSweeps{0, 1000};
-constexpr Range kContacts{10, 1e5};
+constexpr Range kContacts{10, 1000};
 constexpr Range kCount{1, 1e6};
 constexpr Range kTries{0, 1e6};
 constexpr Range kSeconds{1e-3, 1e6};  // of wall time

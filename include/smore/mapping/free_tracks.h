@@ -12,4 +12,7 @@ namespace smore {
 /// enough to move along, both measured in the unit of length `unit` [m].
 std::vector<Path> freeTracks(const Path& trail, double unit);
 
+/// Whether a track that has the pose `a` may have gone on to `b` and left that out.
+bool isThinnedOut(const Pose& a, const Pose& b, double unit);
+
 }  // namespace smore

@@ -9,12 +9,14 @@
 namespace smore {
 
 /// Where the object can go without risk: poses that were free, joined along the motions that went
-/// through them and where two motions went through one pose.
+/// through them and where one motion went through a pose of another, or between two of its own.
 class FreeRoadmap {
  public:
-  /// `tracks`: motions that were free. `from` (T_world_object) is one more pose, joined to the
-  /// poses of the tracks within a cell's size, as they are to one another.
-  FreeRoadmap(const std::vector<Path>& tracks, const Pose& from, const FreeSpaceParameters& cell);
+  /// `tracks`: motions that were free, as freeTracks gives them for `unit` [m]; they are joined
+  /// where one passes a pose of another within a cell's size. `from` (T_world_object), where the
+  /// object has come on one of them, is joined to all poses that may stand for it in its track.
+  FreeRoadmap(const std::vector<Path>& tracks, const Pose& from, const FreeSpaceParameters& cell,
+              double unit);
 
   /// Poses that can be reached from `from`, itself first.
   const Path& reachable() const { return reachable_; }
