@@ -108,6 +108,33 @@ TEST(MaskGrid, BallsAreAsExactInALargeRoom) {
   compareBallsWithAllPairs(balls, 5000);
 }
 
+// Most matter of a large room never comes near a small region: what does is found nonetheless.
+TEST(ForbiddenMatter, OfALargeRoomIsWhatComesIntoItsRegion) {
+  Random random;
+  std::vector<MaskedPoint> balls = random.balls(20000);
+  for (MaskedPoint& ball : balls) ball.point *= 10.0F;  // 4 m wide
+  std::vector<Eigen::Isometry3f> poses;
+  for (int i = 0; i < 40; ++i) poses.push_back(random.pose());
+  Eigen::AlignedBox3f region(Eigen::Vector3f::Constant(-0.1F), Eigen::Vector3f::Constant(0.1F));
+  region.translate(Eigen::Vector3f(0.7F, 0.2F, -0.4F));
+  MaskGrid swept(kCell, false);
+  for (const Eigen::Isometry3f& T : poses) {
+    for (const MaskedPoint& ball : balls) {
+      const Eigen::Vector3f center = T * ball.point;
+      if (region.contains(center)) swept.mark(center, ball.mask);
+    }
+  }
+  swept.dilate(kDistance);
+  const ForbiddenMatter forbidden(balls, poses, region, kDistance, kCell, false);
+  int some = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Eigen::Vector3f point = region.center() + random.point(0.14F);
+    EXPECT_EQ(forbidden.at(point), swept.at(point)) << i;
+    some += forbidden.at(point) != 0 ? 1 : 0;
+  }
+  EXPECT_GT(some, 1000);
+}
+
 TEST(ForbiddenMatter, WithoutTouchesNothingIsForbidden) {
   const ForbiddenMatter forbidden({}, {Eigen::Isometry3f::Identity()}, boxAround({}, 0.6F),
                                   kDistance, kCell, false);
