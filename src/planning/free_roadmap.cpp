@@ -49,16 +49,16 @@ Edges edgesBetween(const Path& poses, const std::vector<int>& track_of,
                    const FreeSpaceParameters& cell) {
   const int count = static_cast<int>(poses.size());
   Edges edges(count);
-  const auto isMotionTo = [&](int i) { return i > 0 && track_of[i] == track_of[i - 1]; };
+  const auto is_motion_to = [&](int i) { return i > 0 && track_of[i] == track_of[i - 1]; };
   for (int i = 0; i < count; ++i) {
-    if (isMotionTo(i)) join(poses, i - 1, i, &edges);
-    const int others = isMotionTo(i) ? i - 1 : i;
+    if (is_motion_to(i)) join(poses, i - 1, i, &edges);
+    const int others = is_motion_to(i) ? i - 1 : i;
     for (int k = 0; k < others; ++k) {
       if (same(poses[i], poses[k], cell)) join(poses, k, i, &edges);
     }
     for (int k = 1; k < count; ++k) {
       const bool is_own = k == i || k - 1 == i;
-      if (is_own || !isMotionTo(k) || !passes(poses[k - 1], poses[k], poses[i], cell)) continue;
+      if (is_own || !is_motion_to(k) || !passes(poses[k - 1], poses[k], poses[i], cell)) continue;
       join(poses, k - 1, i, &edges);
       join(poses, k, i, &edges);
     }
