@@ -10,6 +10,11 @@ constexpr double kNear = 0.01;
 
 }  // namespace
 
+void Trail::setOutFrom(const Pose& here) {
+  if (!endsAt(here)) clear();
+  record(here);
+}
+
 void Trail::record(const Pose& pose) {
   if (poses_.empty() || gapBetween(poses_.back(), pose) >= kSpacing) poses_.push_back(pose);
 }

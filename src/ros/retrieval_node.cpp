@@ -120,6 +120,7 @@ class RetrievalNode {
 
   void execute(const smore_msgs::RetrieveGoal& goal) {
     takeEarlyStop();
+    robot_.forgetFaults();
     const ros::WallTime begin = ros::WallTime::now();
     RetrievalSummary summary;
     RetrievalOutcome& outcome = summary.outcome;

@@ -47,6 +47,8 @@ RosRobot::RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCo
         const Result<ContactObservation> observation = fromMessage(message);
         if (!observation) return;
         fault_place_.observe(observation->T_world_object, !guard_.fault().empty());
+        if (observation->state == ContactState::kContact) pressed_ = true;
+        if (observation->state == ContactState::kFree) pressed_ = false;
         stream_.push(*observation);
       };
   contact_ = node_.subscribe<smore_msgs::ContactObservation>(
@@ -76,6 +78,7 @@ void RosRobot::send(const JointTrajectory& trajectory) {
 }
 
 MotionResult RosRobot::follow(const Path& path) {
+  trail_.setOutFrom(pose());
   Motion motion = begin(path);
   if (motion.refused) return *motion.refused;
   while (true) {
@@ -155,7 +158,9 @@ std::optional<ContactObservation> RosRobot::nextObservation() {
 
 std::string RosRobot::guardFault() const {
   const std::string fault = guard_.fault();
-  return fault.empty() ? "" : "the guard has stopped the robot: " + fault;
+  if (!fault.empty()) return "the guard has stopped the robot: " + fault;
+  if (guard_.count() == known_faults_) return "";
+  return "the guard had stopped the robot, and was cleared: " + guard_.last();
 }
 
 RosRobot::Motion RosRobot::begin(const Path& path) {
@@ -163,6 +168,10 @@ RosRobot::Motion RosRobot::begin(const Path& path) {
   const Pose& here = now.T_world_object;
   const Pose& target = path.empty() ? here : path.back();
   Motion motion{{now.time, here, target, 0.0}, now, now.contact_id, "", std::nullopt};
+  if (const std::string fault = guardFault(); !fault.empty()) {
+    motion.refused = MotionResult{MotionEnd::kFault, fault, 0.0};
+    return motion;
+  }
   const Result<std::vector<double>> joints = joints_.positionsAt(now.time);
   if (!joints) {
     motion.refused = MotionResult{MotionEnd::kFault, joints.reason(), 0.0};

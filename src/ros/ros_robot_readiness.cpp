@@ -25,7 +25,9 @@ std::string RosRobot::waitUntilReady() {
   }
   stream_.close();
   if (!fault.empty()) return fault;
-  return missing.empty() ? toolProblem() : missing;
+  if (!missing.empty()) return missing;
+  trail_.clear();
+  return toolProblem();
 }
 
 std::string RosRobot::missingBeside(const ContactObservation& observation) {

@@ -42,6 +42,16 @@ TEST(Trail, KnowsWhetherTheRobotWasMovedAway) {
   EXPECT_FALSE(Trail().endsAt(at(0.0)));
 }
 
+// No way back leads over a jump: by hand, say, away from where the guard had stopped it.
+TEST(Trail, BeginsAnewWhereTheRobotWasMovedAway) {
+  Trail trail = recordedTrail();
+  trail.setOutFrom(at(0.105));
+  EXPECT_TRUE(trail.wayBack(at(0.105), kAll).back().isApprox(at(0)));
+  trail.setOutFrom(at(0.13));
+  for (int i = 0; i < 20; ++i) trail.record(at(0.13 + 0.001 * i));
+  EXPECT_TRUE(trail.wayBack(at(0.15), kAll).back().isApprox(at(0.13)));
+}
+
 TEST(Trail, FollowsItsOwnWayBackWhereItCrossesItself) {
   Trail trail;
   const Path loop{at(0.0), at(0.01), makePose(Vec3(0.01, 0.01, 0)), makePose(Vec3(0, 0.01, 0)),

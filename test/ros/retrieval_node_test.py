@@ -35,6 +35,7 @@ class FakeArm:
         self.source = ObservationSource(FakeArm.time + 1.0)
         self.target = None
         self.x = 0.0
+        self.state = ContactObservation.FREE
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._run)
         self._joints = rospy.Publisher("joint_states", JointState, queue_size=10)
@@ -48,7 +49,7 @@ class FakeArm:
             if self.target is not None:
                 step = max(-0.0004, min(0.0004, self.target - self.x))  # 0.2 m/s
                 self.x += step
-            observation = self.source.next(ContactObservation.FREE, self.x)
+            observation = self.source.next(self.state, self.x)
             joints = JointState(name=JOINTS, position=[self.x, 0, 0, 0, 0, 0])
             joints.header.stamp = observation.header.stamp
             self._joints.publish(joints)
@@ -130,6 +131,39 @@ class RetrievalNode(unittest.TestCase):
         self.assertFalse(result.success)
         self.assertIn("the force is 45 N", result.message)
         self.assertTrue(again)
+
+    def test_a_fault_that_came_and_was_cleared_while_it_plans_ends_it_too(self):
+        guard = rospy.Publisher("guard/fault", String, queue_size=5, latch=True)
+        self.addCleanup(guard.unregister)
+        self.assertTrue(wait_until(lambda: guard.get_num_connections() > 0))
+        self.may_answer.clear()
+        with FakeArm():
+            self.client.send_goal(RetrieveGoal())
+            self.assertTrue(wait_until(lambda: self.requests))
+            guard.publish("somebody pressed the stop")
+            guard.publish("")
+            self.may_answer.set()
+            self.assertTrue(has_ended(self.client))
+            result = self.client.get_result()
+            self.assertTrue(self.never_moved())
+            again = self.retrieve()
+        self.assertFalse(result.success)
+        self.assertIn("somebody pressed the stop", result.message)
+        self.assertTrue(again.success, again.message)
+
+    def test_a_sensor_that_is_unsure_is_no_reason_to_back_off(self):
+        with FakeArm() as arm:
+            self.assertTrue(self.retrieve().success)
+            arm.state = ContactObservation.UNSURE  # as it says while it is tared
+            self.commands.clear()
+            self.client.send_goal(RetrieveGoal())
+            self.assertTrue(wait_until(lambda: self.client.get_state() == GoalStatus.ACTIVE))
+            self.client.cancel_goal()
+            self.assertTrue(has_ended(self.client))
+            arm.state = ContactObservation.FREE
+            again = self.retrieve()  # what a way back would still do is over then
+        self.assertTrue(again.success, again.message)
+        self.assertTrue(self.never_moved())
 
     def test_it_asks_for_plans_on_maps_as_new_as_what_it_felt(self):
         with FakeArm():

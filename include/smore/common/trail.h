@@ -8,6 +8,10 @@ namespace smore {
 /// The way that a robot has come, to go back along it.
 class Trail {
  public:
+  /// The robot sets out from `here`. Where it was moved there by other means, the way that it had
+  /// come is no longer its way back, and is forgotten.
+  void setOutFrom(const Pose& here);
+
   /// Notes where the robot is on its way on, unless it has hardly moved (2 mm plus radians) since.
   void record(const Pose& pose);
 

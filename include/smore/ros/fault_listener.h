@@ -19,13 +19,21 @@ class FaultListener {
   /// Why the guard lets nothing move; empty where it does, and where there is no guard.
   std::string fault() const;
 
+  /// What it said last, cleared since or not; empty: nothing so far.
+  std::string last() const;
+  /// How often it has said something new that it had stopped the robot for.
+  int count() const;
+
  private:
   void onFault(const std_msgs::String& message);
 
   ros::NodeHandle node_;
   ros::Subscriber subscriber_;
   mutable std::mutex mutex_;
-  std::string fault_;  ///< guarded by mutex_
+  // Guarded by mutex_:
+  std::string fault_;
+  std::string last_;
+  int count_ = 0;
 };
 
 }  // namespace smore

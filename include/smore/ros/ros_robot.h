@@ -41,14 +41,17 @@ class RosRobot : public Robot {
   RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCommands> commands);
 
   /// Waits until the sensor is tared and touches nothing and the robot takes commands; what is
-  /// missing where that does not come, else empty.
+  /// missing where that does not come, else empty. What follows begins here: the way that the robot
+  /// came is forgotten.
   std::string waitUntilReady();
 
-  /// Whether the object is not known to be free and the robot knows the way that it has come.
-  bool canBackOff() const {
-    const auto now = stream_.latest();
-    return now && now->state != ContactState::kFree && trail_.endsAt(now->T_world_object);
-  }
+  /// Whether the object touched when that was last known, and the robot knows the way that it has
+  /// come. A sensor that is not tared, or feels hardly anything, is no sign of a touch.
+  bool canBackOff() const { return pressed_ && trail_.endsAt(pose()); }
+
+  /// A fault of the guard that came before, and was cleared, ends nothing from now on; one that
+  /// comes later does, cleared or not.
+  void forgetFaults() { known_faults_ = guard_.count(); }
 
   /// Whether the guard lets nothing move.
   bool faulted() const { return !guard_.fault().empty(); }
@@ -83,7 +86,7 @@ class RosRobot : public Robot {
   std::string missingBeside(const ContactObservation& observation);
   /// Why no motion may begin where tf has the tool; empty where one may.
   std::string toolProblem() const;
-  /// Why the guard has stopped the robot; empty: it has not.
+  /// Why the guard has stopped the robot since forgetFaults; empty: it has not.
   std::string guardFault() const;
   /// Nothing if none comes within the silence timeout, or the user asks for the stop meanwhile.
   std::optional<ContactObservation> nextObservation();
@@ -119,10 +122,12 @@ class RosRobot : public Robot {
   ros::Subscriber contact_;
   ros::ServiceClient reset_;
   ros::AsyncSpinner spinner_{1, &queue_};
-  Trail trail_;  ///< since the last reset
+  Trail trail_;  ///< since the last reset, or since it was ready
   SignCheck sign_;
   std::mutex command_mutex_;  ///< so that no motion is sent after the stop that forbids it
   std::atomic<bool> stop_requested_{false};
+  std::atomic<bool> pressed_{false};
+  int known_faults_ = 0;  ///< of the guard
 };
 
 }  // namespace smore
