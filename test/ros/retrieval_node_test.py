@@ -160,8 +160,10 @@ class RetrievalNode(unittest.TestCase):
             self.assertTrue(wait_until(lambda: self.client.get_state() == GoalStatus.ACTIVE))
             self.client.cancel_goal()
             self.assertTrue(has_ended(self.client))
+            later = arm.source.time + 1.0
+            self.assertTrue(wait_until(lambda: arm.source.time > later))
             arm.state = ContactObservation.FREE
-            again = self.retrieve()  # what a way back would still do is over then
+            again = self.retrieve()
         self.assertTrue(again.success, again.message)
         self.assertTrue(self.never_moved())
 
