@@ -15,6 +15,10 @@ namespace {
 // waits for free space longer than both take.
 constexpr double kResidualMean = 0.4;
 
+// A pose changed by more within so long is motion [m + rad], [s]; as where payloads are found.
+constexpr double kMoved = 1e-3;
+constexpr double kRest = 0.1;
+
 // Two unit vectors that make a right-handed frame with `axis`.
 std::pair<Vec3, Vec3> perpendiculars(const Vec3& axis) {
   const Vec3 first = axis.unitOrthogonal();
@@ -39,82 +43,7 @@ Vec3 shortened(const Vec3& force, double weight) {
   return norm > weight ? Vec3(force * (1.0 - weight / norm)) : Vec3::Zero();
 }
 
-SensorNoise readNoise(ParameterReader reader) {
-  SensorNoise noise;
-  reader.number("force_stddev", &noise.force_stddev, {0.0, 100.0});
-  reader.number("torque_stddev", &noise.torque_stddev, {0.0, 100.0});
-  reader.number("force_drift", &noise.force_drift, {0.0, 100.0});
-  reader.number("sample_period", &noise.sample_period, {1e-5, 1.0});
-  reader.number("filter_time_constant", &noise.filter_time_constant, {0.0, 1.0});
-  reader.finishNested();
-  return noise;
-}
-
-Payload readPayload(ParameterReader reader) {
-  Payload payload;
-  Vec3 center_object = Vec3::Zero();
-  reader.number("mass", &payload.mass, {-100.0, 100.0});
-  reader.vector("center_of_mass", &center_object, {-10.0, 10.0});
-  reader.vector("moment", &payload.moment_object, {-100.0, 100.0});
-  payload.moment_object += payload.mass * center_object;
-  reader.number("unknown_mass", &payload.unknown_mass, {0.0, 100.0});
-  reader.finishNested();
-  return payload;
-}
-
-TareParameters readTare(ParameterReader reader) {
-  TareParameters tare;
-  reader.integer("samples", &tare.samples, 2, 100000);
-  reader.number("max_force_stddev", &tare.max_force_stddev, {1e-9, 100.0});
-  reader.number("max_torque_stddev", &tare.max_torque_stddev, {1e-9, 100.0});
-  reader.finishNested();
-  return tare;
-}
-
-ContactDetectorParameters readDetector(ParameterReader reader) {
-  ContactDetectorParameters detector;
-  reader.number("contact_force", &detector.contact_force, {1e-3, 1000.0});
-  reader.number("free_force", &detector.free_force, {1e-3, 1000.0});
-  reader.number("release_force", &detector.release_force, {1e-3, 1000.0});
-  reader.number("residual_force", &detector.residual_force, {0.0, 1000.0});
-  reader.number("dwell", &detector.dwell, {0.0, 1.0});
-  reader.number("release_dwell", &detector.release_dwell, {0.0, 1.0});
-  reader.number("fast_window", &detector.fast_window.duration, {0.0, 1.0});
-  reader.number("slow_window", &detector.slow_window.duration, {0.0, 10.0});
-  detector.release_window = detector.fast_window;
-  if (detector.free_force >= detector.contact_force) {
-    reader.error("free_force", "must be below contact_force");
-  }
-  if (detector.release_force > detector.contact_force) {
-    reader.error("release_force", "must not be above contact_force");
-  }
-  reader.finishNested();
-  return detector;
-}
-
-LineParameters readLine(ParameterReader reader) {
-  LineParameters line;
-  reader.number("settle", &line.settle, {0.0, 10.0});
-  reader.number("window", &line.window.duration, {0.0, 10.0});
-  reader.number("patience", &line.patience, {0.0, 10.0});
-  reader.number("min_force", &line.min_force, {1e-3, 1000.0});
-  reader.number("added_direction_stddev", &line.added_direction_stddev, {0.0, M_PI});
-  reader.number("added_offset_stddev", &line.added_offset_stddev, {0.0, 1.0});
-  reader.finishNested();
-  return line;
-}
-
 }  // namespace
-
-ContactSensingParameters readContactSensingParameters(ParameterReader* reader) {
-  ContactSensingParameters parameters;
-  parameters.noise = readNoise(reader->nested("noise"));
-  if (reader->has("payload")) parameters.payload = readPayload(reader->nested("payload"));
-  parameters.tare = readTare(reader->nested("tare"));
-  parameters.detector = readDetector(reader->nested("detector"));
-  parameters.line = readLine(reader->nested("line"));
-  return parameters;
-}
 
 ContactSensing::ContactSensing(const ContactSensingParameters& parameters, std::uint64_t seed)
     : parameters_(allowForNoise(parameters)),
@@ -137,7 +66,9 @@ Result<ContactObservation> ContactSensing::process(const WrenchSample& raw) {
                    " s is not newer than the last one at " + std::to_string(*last_time_) +
                    " s; the sample is left out; check the clock and who else publishes wrenches"};
   }
+  if (last_time_ && raw.time - *last_time_ > ContactDetector::kLongestGap) forgetBeforeSilence();
   last_time_ = raw.time;
+  watchRest(raw);
   compensated_ = compensator_.process(raw).value_or(Wrench{});
   taken_off_ = raw.wrench.force - compensated_.force;
   return observe(raw);
@@ -173,11 +104,40 @@ void ContactSensing::takeResidual(const WrenchSample& raw, ContactState state) {
   average_.reset();  // what it holds of this contact is the residual
 }
 
+// The object may have been anywhere meanwhile.
+void ContactSensing::forgetBeforeSilence() {
+  compensator_.interruptTare();
+  if (average_ && !average_->given) average_.reset();
+}
+
+void ContactSensing::watchRest(const WrenchSample& raw) {
+  if (rest_pose_ && gapBetween(*rest_pose_, raw.T_world_object) <= kMoved) return;
+  rest_pose_ = raw.T_world_object;
+  at_rest_since_ = raw.time;
+}
+
+std::string ContactSensing::motionObjection() const {
+  if (!last_time_ || *last_time_ - at_rest_since_ >= kRest) return "";
+  return "the robot moves, and would feel nothing meanwhile; wait until it stands";
+}
+
+std::string ContactSensing::payloadObjection(const IdentifiedPayload& found) const {
+  const Vec3 expected = found.sensor_bias.force +
+                        found.payload.mass * gravityIn(rest_pose_.value_or(Pose::Identity()));
+  const double force = (detector_.meanForce() + taken_off_ - expected).norm();
+  if (force <= parameters_.detector.contact_force) return motionObjection();
+  std::ostringstream reason;
+  reason << "something presses with " << force
+         << " N beyond the weight, and would be taken for nothing from now on; free the object on "
+            "all sides, and ask again";
+  return reason.str();
+}
+
 std::string ContactSensing::tareObjection() const {
   const Vec3 mean = detector_.meanForce();
   const double harmless = parameters_.detector.residual_force;
   const bool zeroed = (mean + taken_off_).norm() <= harmless;
-  if (!detector_.inContact() || mean.norm() <= harmless || zeroed) return "";
+  if (!detector_.inContact() || mean.norm() <= harmless || zeroed) return motionObjection();
   std::ostringstream reason;
   reason << "something presses with " << mean.norm()
          << " N and would be taken for nothing from now on; move the object until nothing touches "

@@ -198,7 +198,8 @@ class ForceTorqueNode {
   /// Where a payload is found, a tare begins, since the bias was that of another payload.
   void identify(const ros::Time& stamp) {
     const Result<IdentifiedPayload> found = identifyPayload(still_poses_.poses(), parameters_.axes);
-    if (!found) return identify_request_.finish({false, found.reason()});
+    const std::string problem = found ? sensing_.payloadObjection(*found) : found.reason();
+    if (!problem.empty()) return identify_request_.finish({false, problem});
     payload_found_ = describe(*found);
     ROS_INFO_STREAM(payload_found_);
     parameters_.sensing.payload = found->payload;

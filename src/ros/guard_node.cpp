@@ -122,8 +122,8 @@ class GuardNode {
     reactToFault();
     const auto joints = guard_.joints(now());
     if (!stream_.active() || !joints) return;
-    const bool waits = !guard_.lateness(now()).empty();
-    const auto horizon = stream_.advance(joints->time, waits ? 0.0 : speed_.scaling());
+    // What else has come may wait behind this message still: whether that is late is said later.
+    const auto horizon = stream_.advance(joints->time, waits_ ? 0.0 : speed_.scaling());
     if (horizon) guarded_.publish(toMessage(*horizon));
   }
 

@@ -123,8 +123,7 @@ class RetrievalNode {
     robot_.forgetFaults();
     const ros::WallTime begin = ros::WallTime::now();
     RetrievalSummary summary;
-    RetrievalOutcome& outcome = summary.outcome;
-    outcome = attempt(goal);
+    RetrievalOutcome& outcome = summary.outcome = attempt(goal);
     summary.scenario = scenario_.name;
     summary.method = methodName(parameters_.method);
     summary.wall_s = (ros::WallTime::now() - begin).toSec();

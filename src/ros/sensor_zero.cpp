@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include "smore/common/result.h"
@@ -17,10 +18,12 @@
 namespace smore {
 namespace {
 
-constexpr int kAveraged = 200;       // samples: 0.4 s at 500 Hz
-constexpr double kNearZero = 0.5;    // [N]; what a zeroing that comes later still could change
-constexpr double kDeviations = 2.0;  // of the mean's noise, on top of it: 99 % of means
-constexpr double kLookPeriod = 0.1;  // [s of wall time]
+constexpr int kAveraged = 200;         // samples: 0.4 s at 500 Hz ...
+constexpr int kLeastAveraged = 20;     // ... or so many where that takes longer than ...
+constexpr double kLongestBatch = 0.4;  // ... this [s of wall time]: 50 Hz give as many
+constexpr double kNearZero = 0.5;      // [N]; what a zeroing that comes later still could change
+constexpr double kDeviations = 2.0;    // of the mean's noise, on top of it: 99 % of means
+constexpr double kLookPeriod = 0.1;    // [s of wall time]
 // A zeroing shows by then, or the object swung in it and it is repeated [s of wall time].
 constexpr double kPatience = 1.5;
 
@@ -50,11 +53,12 @@ class RawForce {
     return near_zero_;
   }
 
-  /// Of the last whole batch [N].
-  double mean() const { return mean_; }
+  /// Of the last whole batch [N]; nothing where none came.
+  std::optional<double> mean() const { return mean_; }
 
  private:
   void begin() {
+    begun_ = ros::WallTime::now();
     sum_ = Vec3::Zero();
     squares_ = 0.0;
     count_ = 0;
@@ -63,11 +67,13 @@ class RawForce {
   void add(const Vec3& force) {
     sum_ += force;
     squares_ += force.squaredNorm();
-    if (++count_ < kAveraged) return;
-    const Vec3 mean = sum_ / kAveraged;
-    const double variance = std::max(0.0, squares_ / kAveraged - mean.squaredNorm());
+    ++count_;
+    const bool is_long = (ros::WallTime::now() - begun_).toSec() >= kLongestBatch;
+    if (count_ < (is_long ? kLeastAveraged : kAveraged)) return;
+    const Vec3 mean = sum_ / count_;
+    const double variance = std::max(0.0, squares_ / count_ - mean.squaredNorm());
     mean_ = mean.norm();
-    near_zero_ = mean_ <= kNearZero + kDeviations * std::sqrt(variance / kAveraged);
+    near_zero_ = *mean_ <= kNearZero + kDeviations * std::sqrt(variance / count_);
     begin();
   }
 
@@ -76,7 +82,8 @@ class RawForce {
   Vec3 sum_ = Vec3::Zero();
   double squares_ = 0.0;
   int count_ = 0;
-  double mean_ = 0.0;
+  ros::WallTime begun_;
+  std::optional<double> mean_;
   bool near_zero_ = false;
 };
 
@@ -121,8 +128,13 @@ std::string zeroSensor(ros::NodeHandle* node, const std::string& zero_service, d
   if (!zeroed) {
     std::ostringstream reason;
     reason << "the service '" << node->resolveName(zero_service)
-           << "' says that it has zeroed the sensor, but the raw force is " << force.mean()
-           << " N; does the object hang free, and do wrenches come?";
+           << "' says that it has zeroed the sensor, but ";
+    if (force.mean()) {
+      reason << "the raw force is " << *force.mean() << " N; does the object hang free?";
+    } else {
+      reason << "fewer than " << kLeastAveraged << " wrenches came in " << kPatience << " s on '"
+             << node->resolveName(names::kWrench) << "'; is the sensor's driver up?";
+    }
     return reason.str();
   }
   return demand(node, names::kListenerTare, timeout, given_up);

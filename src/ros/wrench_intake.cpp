@@ -95,9 +95,12 @@ void WrenchIntake::onTransforms(const tf2_msgs::TFMessage& message) {
 
 void WrenchIntake::takeTransforms(const tf2_msgs::TFMessage& message) {
   for (const TransformStamped& transform : message.transforms) {
-    if (transform.child_frame_id != parameters_.frames.object) continue;
-    if (wentBack(transform.header.stamp, last_pose_)) restart();
-    last_pose_ = transform.header.stamp;
+    const std::string& frame = transform.child_frame_id;
+    const auto last = last_poses_.find(frame);
+    const bool went_back =
+        last != last_poses_.end() && wentBack(transform.header.stamp, last->second);
+    if (went_back && poses_.carriesObject(frame)) restart();
+    last_poses_[frame] = transform.header.stamp;
   }
   warnOfTransform(poses_.add(message, false), &transform_warning_);
 }
@@ -135,7 +138,8 @@ void WrenchIntake::restart() {
   ROS_WARN("time went back: forgetting wrenches and transforms, and taring anew");
   waiting_.clear();
   poses_.clear();
-  last_stamp_ = last_pose_ = ros::Time();
+  last_stamp_ = ros::Time();
+  last_poses_.clear();
   rate_ = SampleRate();
   on_restart_();
 }

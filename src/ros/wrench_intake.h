@@ -71,8 +71,8 @@ class WrenchIntake {
   WristPoses poses_;
   std::deque<geometry_msgs::WrenchStamped> waiting_;  ///< for their poses, oldest first
   ros::WallTime last_arrival_ = ros::WallTime::now();
-  ros::Time last_stamp_;  ///< of the newest wrench that came
-  ros::Time last_pose_;   ///< of the newest pose that came
+  ros::Time last_stamp_;                         ///< of the newest wrench that came
+  std::map<std::string, ros::Time> last_poses_;  ///< of the newest transform, by its frame
   SampleRate rate_;
   bool rate_told_ = false;
   std::uint64_t received_ = 0, saturated_ = 0;

@@ -65,6 +65,13 @@ std::string WristPoses::add(const tf2_msgs::TFMessage& message, bool is_static) 
   return problem;
 }
 
+bool WristPoses::carriesObject(const std::string& frame) const {
+  std::string at = frames_.object;
+  std::string parent;
+  while (at != frame && transforms_._getParent(at, ros::Time(), parent)) at = parent;
+  return at == frame;
+}
+
 void WristPoses::clear() {
   transforms_.clear();
   newest_.clear();

@@ -128,6 +128,57 @@ TEST_F(ContactSensingTest, claimsNothingFromASuspensionUntilTheTareHoweverTheFor
   EXPECT_EQ(observations.back().contact_id, 0);
 }
 
+// The driver drops out in the middle of the tare: what it felt before is of another place, say.
+TEST_F(ContactSensingTest, aTareBeginsAnewAfterASilence) {
+  sensing_.startTare();
+  hold({Vec3(2, 0, 0), Vec3::Zero()}, 25);
+  n_ += 1500;
+  EXPECT_EQ(hold({}, 49).back().state, ContactState::kUnsure) << "one sample is missing";
+  hold({}, 200);
+  EXPECT_TRUE(sensing_.tared());
+  EXPECT_LT(sensing_.compensated().force.norm(), 1e-9);
+}
+
+TEST_F(ContactSensingTest, aLineIsNotOfWhatWasFeltBeforeASilence) {
+  const Wrench before{Vec3(10, 0, 0), Vec3::Zero()};
+  const Wrench after{Vec3(0, 10, 0), Vec3::Zero()};
+  EXPECT_TRUE(linesOf(hold(before, 22)).empty()) << "its average has begun";
+  n_ += 200;
+  const auto lines = linesOf(hold(after, 100));
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_TRUE(lines[0].direction.isApprox(Vec3(0, 1, 0), 1e-9));
+}
+
+TEST_F(ContactSensingTest, objectsToATareOfARobotThatMoves) {
+  EXPECT_EQ(sensing_.tareObjection(), "");
+  WrenchSample sample;
+  for (int i = 0; i < 100; ++i) {
+    sample.time = kPeriod * ++n_;
+    sample.wrench = bias_;
+    sample.T_world_object.translation().x() += 0.02 * kPeriod;  // [m]
+    ASSERT_TRUE(sensing_.process(sample));
+  }
+  EXPECT_NE(sensing_.tareObjection().find("the robot moves"), std::string::npos);
+  for (int i = 0; i < 100; ++i) {
+    sample.time = kPeriod * ++n_;
+    sample.T_world_object.translation().x() += i % 2 == 0 ? 2e-4 : -2e-4;  // tf is noisy
+    ASSERT_TRUE(sensing_.process(sample));
+  }
+  EXPECT_EQ(sensing_.tareObjection(), "");
+}
+
+// A weight that was unknown is felt, and is no objection to its own identification.
+TEST_F(ContactSensingTest, objectsToAPayloadWhileMoreThanItsWeightPresses) {
+  IdentifiedPayload found;
+  found.payload.mass = 1.4;
+  const Vec3 weight = found.payload.mass * gravityIn(Pose::Identity());
+  found.sensor_bias.force = bias_.force;
+  hold({weight, Vec3::Zero()}, 100);
+  EXPECT_EQ(sensing_.payloadObjection(found), "");
+  hold({weight + Vec3(0, 0, 20), Vec3::Zero()}, 100);
+  EXPECT_NE(sensing_.payloadObjection(found).find("presses with 20 N"), std::string::npos);
+}
+
 TEST_F(ContactSensingTest, leavesBadSamplesOutAndGoesOn) {
   WrenchSample bad;
   bad.time = kPeriod * ++n_;

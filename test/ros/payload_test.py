@@ -56,14 +56,16 @@ class Payload(unittest.TestCase):
         self.assertIsNotNone(answer)
         return answer.state
 
-    def identify(self, axis, angle):
-        """The service's reply while the robot stands at a tilt."""
+    def identify(self, axis, angle, press=0.0):
+        """The service's reply while the robot stands at a tilt, and something presses from below [N]."""
         replies = []
         service = rospy.ServiceProxy("force_torque/identify_payload", Trigger)
         caller = threading.Thread(target=lambda: replies.append(service()))
         caller.start()
+        sample = tilted(axis, angle)
+        sample["force"] = (*sample["force"][:2], sample["force"][2] + press)
         while caller.is_alive():
-            self.source.send(**tilted(axis, angle))
+            self.source.send(**sample)
             caller.join(0.001)
         return replies[0]
 
@@ -77,6 +79,9 @@ class Payload(unittest.TestCase):
         for axis, angle in ((0, TILT), (0, -TILT), (1, TILT), (1, -TILT)):
             self.assertNotEqual(self.stand(axis, angle), free)
 
+        pressed = self.identify(1, -TILT, press=20.0)
+        self.assertFalse(pressed.success)
+        self.assertIn("presses with", pressed.message)
         reply = self.identify(1, -TILT)
         self.assertTrue(reply.success, reply.message)
         self.assertIn("1.4 kg at (", reply.message)

@@ -35,6 +35,7 @@ class Driver:
         self.x = 0.0
         self.force = OFFSET
         self.asked = 0
+        self.one_in = 1  # of the wrenches: 20 makes 50 Hz of them
         self.presses = False  # in the eyes of the listener
         self.suspended_at = []  # the raw force at each suspension [N]
         self.tared_at = []  # the raw force at each tare [N]
@@ -68,17 +69,20 @@ class Driver:
         return TriggerResponse(True, "tared")
 
     def _run(self):
+        count = 0
         while not self._stop.wait(0.001):
+            count += 1
             if self._zero_in is not None:
                 self._zero_in -= 1
                 if self._zero_in == 0:
                     self.force = OFFSET / 4.0 if self.swings else 0.0
                     self.swings = False
                     self._zero_in = None
-            message = WrenchStamped()
-            message.header.stamp = rospy.Time.now()
-            message.wrench.force.z = self.force
-            self._wrench.publish(message)
+            if self.one_in and count % self.one_in == 0:
+                message = WrenchStamped()
+                message.header.stamp = rospy.Time.now()
+                message.wrench.force.z = self.force
+                self._wrench.publish(message)
             observation = self._observations.next(ContactObservation.CONTACT, self.x)
             self._observations.publish(observation)
 
@@ -111,6 +115,7 @@ class SensorZero(unittest.TestCase):
         self.driver.refuses = False
         self.driver.force = OFFSET
         self.driver.presses = False
+        self.driver.one_in = 1
         self.driver.asked = 0
         self.driver.suspended_at.clear()
         self.driver.tared_at.clear()
@@ -141,6 +146,18 @@ class SensorZero(unittest.TestCase):
         self.driver.force = 0.3
         self.retrieve()
         self.assertEqual(self.driver.tared_at, [0.3])
+
+    def test_a_sensor_of_50_hz_is_zeroed_once(self):
+        self.driver.one_in = 20
+        self.retrieve()
+        self.assertEqual(self.driver.tared_at, [0.0])
+        self.assertEqual(self.driver.asked, 1)
+
+    def test_a_zeroing_of_a_sensor_that_says_nothing_is_told_as_that(self):
+        self.driver.one_in = 0
+        result = self.retrieve()
+        self.assertFalse(result.success)
+        self.assertIn("wrenches came in 1.5 s on '/wrench'", result.message)
 
     def test_a_zeroing_that_never_happens_is_told_with_the_force(self):
         self.driver.zeroes = False

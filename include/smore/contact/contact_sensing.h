@@ -10,6 +10,7 @@
 #include "smore/common/result.h"
 #include "smore/contact/contact_detector.h"
 #include "smore/contact/contact_observation.h"
+#include "smore/contact/payload_identification.h"
 #include "smore/contact/residual_watch.h"
 #include "smore/contact/steady_mean.h"
 #include "smore/contact/wrench_compensator.h"
@@ -69,10 +70,15 @@ class ContactSensing {
   /// zeroed.
   void suspend();
 
-  /// Why a tare now would take something that touches for nothing; empty where it would not. A
-  /// contact of no more than a residual does not count, nor one that is felt because the driver has
-  /// just zeroed the sensor: the raw force is then near zero.
+  /// Why a tare now would take something that touches for nothing, or leave a robot that moves
+  /// without its sense; empty where it would not. A contact of no more than a residual does not
+  /// count, nor one that is felt because the driver has just zeroed the sensor: the raw force is
+  /// then near zero.
   std::string tareObjection() const;
+
+  /// The same of the tare that comes with a payload that was found just now: what weight and bias
+  /// do not explain of the present force presses.
+  std::string payloadObjection(const IdentifiedPayload& found) const;
 
   /// What the last processed sample let go into the bias because the gripper keeps it after a
   /// touch; nothing where it did not.
@@ -107,6 +113,10 @@ class ContactSensing {
   };
 
   ContactObservation observe(const WrenchSample& raw);
+  void forgetBeforeSilence();
+  void watchRest(const WrenchSample& raw);
+  /// Why the robot may not be without its sense now; empty where it stands.
+  std::string motionObjection() const;
   void takeResidual(const WrenchSample& raw, ContactState state);
   std::optional<LineOfAction> measureLine(const WrenchSample& raw, ContactState state);
   std::optional<LineOfAction> averagedLine(const Vec3& sensor_object);
@@ -127,6 +137,8 @@ class ContactSensing {
   std::optional<LineAverage> average_;  ///< of the present contact
   int averaged_contact_ = 0;            ///< contact that average_ belongs to
   std::optional<double> last_time_;
+  std::optional<Pose> rest_pose_;  ///< where the object is, or was when it last moved
+  double at_rest_since_ = 0.0;     ///< [s]
 };
 
 }  // namespace smore

@@ -43,6 +43,9 @@ class WrenchCompensator {
   /// Forgets the bias, and collects no samples for a new one until a tare is started.
   void suspend();
 
+  /// What was felt before a silence does not count in a tare that lasts.
+  void interruptTare() { still_.clear(); }
+
   bool tared() const { return bias_.has_value(); }
 
   /// Why the last full set of samples was refused; empty if it was not.

@@ -23,6 +23,10 @@ class WristPoses {
   /// of the same frame) is left out; what was wrong, else empty.
   std::string add(const tf2_msgs::TFMessage& message, bool is_static);
 
+  /// Whether the object moves with this frame: it is the object's, or one between that and the root
+  /// of tf.
+  bool carriesObject(const std::string& frame) const;
+
   /// Forgets everything.
   void clear();
 
