@@ -23,7 +23,10 @@ std::string standAt(RosRobot* robot, const Pose& tilted) {
   if (there.end == MotionEnd::kFault || there.end == MotionEnd::kStopped) return there.reason;
   const MotionResult back = robot->retreat(std::numeric_limits<double>::infinity());
   if (there.end == MotionEnd::kContact) {
-    return "something touched; give the object room at the start, or tilt it less (payload_tilt)";
+    return "something touched; give the object room at the start, or tilt it less (payload_tilt); "
+           "where what is held is much heavier than what was found before, restart the "
+           "force_torque "
+           "node, which has taken that off";
   }
   if (there.end == MotionEnd::kUnreachable) return there.reason;
   return back.end == MotionEnd::kReached ? "" : back.reason;

@@ -58,12 +58,13 @@ class Payload(unittest.TestCase):
 
     def identify(self, axis, angle, press=0.0):
         """The service's reply while the robot stands at a tilt, and something presses from below [N]."""
+        sample = tilted(axis, angle)
+        sample["force"] = (*sample["force"][:2], sample["force"][2] + press)
+        self.source.send_for(0.1, **sample)
         replies = []
         service = rospy.ServiceProxy("force_torque/identify_payload", Trigger)
         caller = threading.Thread(target=lambda: replies.append(service()))
         caller.start()
-        sample = tilted(axis, angle)
-        sample["force"] = (*sample["force"][:2], sample["force"][2] + press)
         while caller.is_alive():
             self.source.send(**sample)
             caller.join(0.001)

@@ -90,6 +90,19 @@ TEST_F(WristPosesTest, refuseFramesThatTfCannotKnow) {
   EXPECT_EQ(lines_.count, 0);
 }
 
+// Time that goes back in one of these, be the object's own frame fixed to it, goes back for all.
+TEST_F(WristPosesTest, knowWhatCarriesTheObject) {
+  add("world", "base", 1.0);
+  add("base", "tool", 1.0);
+  add("world", "camera", 1.0);
+  tf2_msgs::TFMessage fixed;
+  fixed.transforms.push_back(stampedTransform("tool", "object", Pose::Identity(), ros::Time()));
+  ASSERT_EQ(poses_.add(fixed, true), "");
+  for (const char* frame : {"object", "tool", "base"}) EXPECT_TRUE(poses_.carriesObject(frame));
+  EXPECT_FALSE(poses_.carriesObject("camera"));
+  EXPECT_FALSE(poses_.carriesObject("nowhere"));
+}
+
 TEST_F(WristPosesTest, nameTheFrameThatIsUnknown) {
   add("world", "object", 1.0);
   const Result<WrenchSample> sample = sampleIn("nowhere", 1.0);
