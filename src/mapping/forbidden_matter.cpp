@@ -36,7 +36,8 @@ bool mayComeInto(const Eigen::AlignedBox3f& region, const Block& block,
                  const Eigen::Isometry3f& T) {
   const float radius = 0.5F * block.extent.diagonal().norm();
   const float hair = kHair * (radius + region.diagonal().norm());
-  return region.exteriorDistance(T * block.extent.center()) <= radius + hair;
+  const Eigen::Vector3f center = block.extent.center();
+  return region.exteriorDistance(T * center) <= radius + hair;
 }
 
 }  // namespace
