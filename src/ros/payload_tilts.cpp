@@ -3,8 +3,6 @@
 
 #include <std_srvs/Trigger.h>
 
-#include <limits>
-
 #include "smore/contact/payload_identification.h"
 #include "smore/ros/interruptible_call.h"
 #include "smore/ros/names.h"
@@ -16,12 +14,13 @@ namespace {
 constexpr double kStandTime = 1.0;
 
 std::string standAt(RosRobot* robot, const Pose& tilted) {
-  const MotionResult there = robot->follow({robot->pose(), tilted});
+  const Pose level = robot->pose();
+  const MotionResult there = robot->follow({level, tilted});
   if (there.end == MotionEnd::kReached && !robot->standStill(kStandTime)) {
     return "no observations came while the robot stood";
   }
   if (there.end == MotionEnd::kFault || there.end == MotionEnd::kStopped) return there.reason;
-  const MotionResult back = robot->retreat(std::numeric_limits<double>::infinity());
+  const MotionResult back = robot->retreat(gapBetween(robot->pose(), level));
   if (there.end == MotionEnd::kContact) {
     return "something touched; give the object room at the start, or tilt it less (payload_tilt); "
            "where what is held is much heavier than what was found before, restart the "
@@ -41,6 +40,8 @@ std::string identifyPayloadByTilting(RosRobot* robot, ros::NodeHandle* node, dou
     const std::string problem = standAt(robot, tilted);
     if (!problem.empty()) return failed + problem;
   }
+  // The listener refuses while the robot moves, which has hardly come back.
+  if (!robot->standStill(kStandTime)) return failed + "no observations came while the robot stood";
   ros::ServiceClient identify =
       node->serviceClient<std_srvs::Trigger>(names::kListenerIdentifyPayload);
   std_srvs::Trigger call;

@@ -25,9 +25,7 @@ std::string RosRobot::waitUntilReady() {
   }
   stream_.close();
   if (!fault.empty()) return fault;
-  if (!missing.empty()) return missing;
-  trail_.clear();
-  return toolProblem();
+  return missing.empty() ? toolProblem() : missing;
 }
 
 std::string RosRobot::missingBeside(const ContactObservation& observation) {

@@ -55,6 +55,11 @@ class FakeArm:
             self._joints.publish(joints)
             self.source.publish(observation)
 
+    def feel_for(self, duration):
+        """Waits until so many more seconds have been observed."""
+        end = self.source.time + duration
+        assert wait_until(lambda: self.source.time > end)
+
     def __enter__(self):
         assert self.source.wait_for_listener()
         assert wait_until(lambda: self._joints.get_num_connections() > 0)
@@ -137,11 +142,12 @@ class RetrievalNode(unittest.TestCase):
         self.addCleanup(guard.unregister)
         self.assertTrue(wait_until(lambda: guard.get_num_connections() > 0))
         self.may_answer.clear()
-        with FakeArm():
+        with FakeArm() as arm:
             self.client.send_goal(RetrieveGoal())
             self.assertTrue(wait_until(lambda: self.requests))
             guard.publish("somebody pressed the stop")
             guard.publish("")
+            arm.feel_for(3.0)  # both have come by then
             self.may_answer.set()
             self.assertTrue(has_ended(self.client))
             result = self.client.get_result()
@@ -160,10 +166,9 @@ class RetrievalNode(unittest.TestCase):
             self.assertTrue(wait_until(lambda: self.client.get_state() == GoalStatus.ACTIVE))
             self.client.cancel_goal()
             self.assertTrue(has_ended(self.client))
-            later = arm.source.time + 1.0
-            self.assertTrue(wait_until(lambda: arm.source.time > later))
+            arm.feel_for(3.0)  # any way back would have begun
             arm.state = ContactObservation.FREE
-            again = self.retrieve()
+            again = self.retrieve(RetrieveGoal(goal=stamped(pose(arm.x))))
         self.assertTrue(again.success, again.message)
         self.assertTrue(self.never_moved())
 

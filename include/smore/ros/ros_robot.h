@@ -41,8 +41,7 @@ class RosRobot : public Robot {
   RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCommands> commands);
 
   /// Waits until the sensor is tared and touches nothing and the robot takes commands; what is
-  /// missing where that does not come, else empty. What follows begins here: the way that the robot
-  /// came is forgotten.
+  /// missing where that does not come, else empty.
   std::string waitUntilReady();
 
   /// Whether the object touched when that was last known, and the robot knows the way that it has
@@ -122,7 +121,7 @@ class RosRobot : public Robot {
   ros::Subscriber contact_;
   ros::ServiceClient reset_;
   ros::AsyncSpinner spinner_{1, &queue_};
-  Trail trail_;  ///< since the last reset, or since it was ready
+  Trail trail_;  ///< since the last reset, or since the robot was moved by other means
   SignCheck sign_;
   std::mutex command_mutex_;  ///< so that no motion is sent after the stop that forbids it
   std::atomic<bool> stop_requested_{false};
