@@ -38,7 +38,8 @@ constexpr FreeSpaceParameters kPoseAccuracy = {0.0005, 0.005};
 /// cells of FreeSpaceParameters.
 ///
 /// Observations are taken at once, but for a contact after which some are merged: that infers. What
-/// follows from them is inferred when it is first asked for, or by `update`. Threads may ask at the same time, but not while one observes.
+/// follows from them is inferred when it is first asked for, or by `update`. Threads may ask at the
+/// same time, but not while one observes.
 class JointBelief : public TwinMap {
  public:
   explicit JointBelief(const JointBeliefParameters& parameters);
