@@ -16,7 +16,7 @@ float reachOfKnownObject(const KnownPieces& pieces, float otherwise) {
   float farthest = 0.0F;
   bool any = false;
   for (const auto& piece : pieces) {
-    if (piece->side() != MapSide::kObject || piece->surface().empty()) continue;
+    if (piece->side() != MapSide::kObject || !piece->hasMatter()) continue;
     any = true;
     farthest = std::max(farthest, piece->reach().value_or(otherwise));
   }

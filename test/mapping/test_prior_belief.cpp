@@ -94,14 +94,19 @@ Prior slabKnown() {
   return prior;
 }
 
+JointBelief slabsKnown(double unit) {
+  JointBeliefParameters parameters;
+  parameters.unit = unit;
+  JointBelief belief(parameters);
+  belief.know(MapSide::kObject, slabKnown());
+  belief.know(MapSide::kWorld, slabKnown());
+  return belief;
+}
+
 // However small the unit of length is against the voxels in which it is told.
 TEST(PriorBelief, KnownMatterPassesNowhereThroughKnownMatter) {
   for (const double unit : {0.005, 0.02, 0.1}) {
-    JointBeliefParameters parameters;
-    parameters.unit = unit;
-    JointBelief belief(parameters);
-    belief.know(MapSide::kObject, slabKnown());
-    belief.know(MapSide::kWorld, slabKnown());
+    const JointBelief belief = slabsKnown(unit);
     for (const double y : {0.0, 0.0025, 0.005, 0.0075, 0.01}) {
       for (const double z : {0.0, 0.0035, 0.0075}) {
         const Eigen::Isometry3f T = makePose({0.0, y, z}).cast<float>();
@@ -115,11 +120,7 @@ TEST(PriorBelief, KnownMatterPassesNowhereThroughKnownMatter) {
 // The same slabs flat on one another, free at a pose: no contradiction, at any unit.
 TEST(PriorBelief, KnownMatterThatSlidesAlongKnownMatterIsKept) {
   for (const double unit : {0.005, 0.02, 0.1}) {
-    JointBeliefParameters parameters;
-    parameters.unit = unit;
-    JointBelief belief(parameters);
-    belief.know(MapSide::kObject, slabKnown());
-    belief.know(MapSide::kWorld, slabKnown());
+    JointBelief belief = slabsKnown(unit);
     for (const double y : {0.0, 0.01, 0.02}) {
       belief.observe(freeAt(makePose({0.045, y, 0.0}), y));
     }

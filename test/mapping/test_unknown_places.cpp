@@ -60,6 +60,18 @@ TEST(UnknownPlaces, ReachAsFarAsEverWhereAnyPartOfTheObjectMayGoOn) {
   EXPECT_GT(shareAt(belief, 0.35), 0.1);
 }
 
+// Its matter counts also where no free space is known just beside it.
+TEST(UnknownPlaces, ReachAsFarAsMatterOfWhichNoSurfaceIsKnown) {
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kWorld, wall());
+  belief.know(MapSide::kObject, barKnown());
+  Prior apart{VoxelGrid(0.01), 0.999};
+  apart.known.set(voxelAt({0.0, 0.5, 0.0}, 0.01), 1.0F);
+  apart.known.set(voxelAt({0.0, 0.6, 0.0}, 0.01), 0.0F);
+  belief.know(MapSide::kObject, apart);
+  EXPECT_GT(shareAt(belief, 0.2), 0.0);
+}
+
 // An unknown object may touch the wall alone: half of what lies within reach.
 TEST(UnknownPlaces, AreTheMatterWithinReachWhereTheWorldIsKnown) {
   JointBelief belief(planarParameters());

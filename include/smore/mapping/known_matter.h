@@ -34,6 +34,8 @@ class KnownMatter {
   /// Whether there is matter at this place; nothing where it does not say.
   std::optional<bool> matterAt(const Eigen::Vector3f& place) const;
 
+  bool hasMatter() const { return !matter_.empty(); }
+
   /// Distance of the farthest matter from the frame's origin [m]; nothing where no free space is
   /// known, so that there may be more.
   std::optional<float> reach() const;
