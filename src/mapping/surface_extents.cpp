@@ -9,6 +9,7 @@
 #include "smore/common/parallel_for.h"
 #include "smore/mapping/counter_random.h"
 #include "smore/mapping/joined_touches.h"
+#include "smore/mapping/surface_normals.h"
 
 namespace smore {
 namespace {
@@ -17,6 +18,10 @@ namespace {
 // between them.
 constexpr double kPlanarStep = 0.5;
 constexpr double kSpatialStep = 0.8;
+
+// Of a force from the normal: the edge of the cone of friction, with the coefficient .3 of hard and
+// dry surfaces, in any direction.
+constexpr float kFrictionTilt = 0.2F;
 
 // Points are merged and looked up on lattices that are fine against the balls.
 float latticeCell(const FeatureParameters& feature) {
@@ -81,10 +86,8 @@ void SurfaceExtents::grow(MapSide side) {
   parallelFor(kHypotheses, [&](std::size_t i) {
     const int m = static_cast<int>(i);
     const MatterAllowed allowed = allowedFor(side, m, forbidden, Known::kIsNotTouched);
-    if (hasPatches(side)) {
-      const MatterAllowed behind = allowedFor(side, m, forbidden, Known::kMatterGoesOn);
-      grown[m] = patches(side, m, allowed, behind);
-    }
+    const MatterAllowed behind = allowedFor(side, m, forbidden, Known::kMatterGoesOn);
+    grown[m] = patches(side, m, allowed, behind);
     if (side == MapSide::kObject) {
       const std::vector<Eigen::Vector3f> joints = joined(m, allowed);
       grown[m].insert(grown[m].end(), joints.begin(), joints.end());
@@ -106,7 +109,7 @@ std::vector<ForbiddenMatter> SurfaceExtents::forbiddenFor(MapSide side) const {
   const auto distance = static_cast<float>(feature_.conflictDistance());
   // What joins touches lies between them, a patch as far beside and behind them as it is large and
   // deep; what forbids either may lie as far beside that as balls touch.
-  const float margin = distance + (hasPatches(side) ? longestWay(side) : 0.0F);
+  const float margin = distance + longestWay(side);
   const MaskedPoints& matter = on_object ? object_ : world_;
   const float cell = latticeCell(feature_);
   const Eigen::AlignedBox3f region = boxAround(matter.points(), margin);
@@ -140,7 +143,7 @@ MatterAllowed SurfaceExtents::allowedFor(MapSide side, int hypothesis,
   };
 }
 
-bool SurfaceExtents::hasPatches(MapSide side) const { return planar_ || side == MapSide::kWorld; }
+bool SurfaceExtents::goesOnAlong(MapSide side) const { return planar_ || side == MapSide::kWorld; }
 
 double SurfaceExtents::longestRadius(MapSide side) const {
   return side == MapSide::kObject ? extent_.object_longest : extent_.world_longest;
@@ -153,27 +156,49 @@ double SurfaceExtents::radiusOf(MapSide side, int hypothesis) const {
 
 float SurfaceExtents::longestWay(MapSide side) const {
   const double depth = side == MapSide::kObject ? extent_.object_longest : 0.0;
-  return static_cast<float>(std::hypot(longestRadius(side), depth));
+  const double radius = goesOnAlong(side) ? longestRadius(side) : 0.0;
+  return static_cast<float>(std::hypot(radius, depth));
 }
 
 double SurfaceExtents::stepOf() const {
   return (planar_ ? kPlanarStep : kSpatialStep) * feature_.conflictDistance();
 }
 
+std::vector<TouchedPoint> SurfaceExtents::touchedPoints(MapSide side,
+                                                        const std::vector<Touch>& touches) const {
+  const bool on_object = side == MapSide::kObject;
+  std::vector<TouchedPoint> points;
+  points.reserve(touches.size());
+  for (const Touch& touch : touches) {
+    const ContactHypotheses& contact = *touch.contact;
+    // The common normal of a contact points into the object.
+    points.push_back({(on_object ? contact.object : contact.world).at(touch.place),
+                      on_object ? Eigen::Vector3f(-contact.object_normal.at(touch.place))
+                                : contact.world_normal.at(touch.place)});
+  }
+  return points;
+}
+
+// In space the world's surfaces lie as touches on the same surface say: the object is touched at
+// corners there, and in planar motion nothing was gained by it.
 std::vector<SurfaceExtents::TouchedPatch> SurfaceExtents::touchedPatches(MapSide side,
                                                                          int hypothesis) const {
-  const bool on_object = side == MapSide::kObject;
+  const std::vector<Touch> those = touches(side, hypothesis);
+  const std::vector<TouchedPoint> points = touchedPoints(side, those);
+  const bool turns = !planar_ && side == MapSide::kWorld;
+  const auto height = static_cast<float>(2.0 * feature_.tolerance);
+  const SurfaceSpread spread{kFrictionTilt, height, static_cast<float>(feature_.reach)};
+  const std::vector<Eigen::Vector3f> turned =
+      turns ? surfaceNormals(points, spread) : std::vector<Eigen::Vector3f>{};
   SurfacePatch patch;
   patch.step = static_cast<float>(stepOf());
-  patch.radius = static_cast<float>(radiusOf(side, hypothesis));
+  patch.radius = goesOnAlong(side) ? static_cast<float>(radiusOf(side, hypothesis)) : 0.0F;
   std::vector<TouchedPatch> result;
-  for (const Touch& touch : touches(side, hypothesis)) {
-    const ContactHypotheses& contact = *touch.contact;
-    patch.center = (on_object ? contact.object : contact.world).at(touch.place);
-    // The common normal of a contact points into the object.
-    patch.normal = on_object ? Eigen::Vector3f(-contact.object_normal.at(touch.place))
-                             : contact.world_normal.at(touch.place);
-    result.push_back({contact.id, patch});
+  result.reserve(those.size());
+  for (std::size_t k = 0; k < those.size(); ++k) {
+    patch.center = points[k].point;
+    patch.normal = turns ? turned[k] : points[k].normal;
+    result.push_back({those[k].contact->id, patch});
   }
   return result;
 }

@@ -43,6 +43,10 @@ std::array<Eigen::Vector3f, 2> latticeAxes(const Eigen::Vector3f& normal, bool p
           std::cos(turn) * second - std::sin(turn) * first};
 }
 
+Eigen::Vector3f pointBehind(const SurfacePatch& patch, int steps) {
+  return patch.center - static_cast<float>(steps) * patch.step * patch.normal;
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector3f> growPatch(const SurfacePatch& patch, bool planar,
@@ -62,15 +66,15 @@ std::vector<Eigen::Vector3f> growPatch(const SurfacePatch& patch, bool planar,
     points.push_back(point);
     return true;
   });
+  if (planar) return points;
+  const int behind = depthBehind(patch, allowed);
+  for (int i = 1; i <= behind; ++i) points.push_back(pointBehind(patch, i));
   return points;
 }
 
 int depthBehind(const SurfacePatch& patch, const MatterAllowed& allowed) {
-  const Eigen::Vector3f inwards = -patch.step * patch.normal;
   int depth = 0;
-  while (depth < patch.depth && allowed(patch.center + static_cast<float>(depth + 1) * inwards)) {
-    ++depth;
-  }
+  while (depth < patch.depth && allowed(pointBehind(patch, depth + 1))) ++depth;
   return depth;
 }
 

@@ -98,24 +98,24 @@ TEST(SurfaceExtents, EndAtFreeSpaceBesideTheLargestPatch) {
   EXPECT_GE(nearest(evidence), 0.9 * distance);
 }
 
-// The object's matter in planar motion; all contacts are at their first places, and all worlds hold
-// what is known to be true.
-std::vector<MaskedPoint> objectInThePlane(const std::vector<ContactHypotheses>& contacts,
-                                          const FreeSpaceEvidence& evidence,
-                                          const KnownPieces& known = {}) {
+// The object's matter; all contacts are at their first places, and all worlds hold what is known to
+// be true.
+std::vector<MaskedPoint> objectOf(const std::vector<ContactHypotheses>& contacts,
+                                  const FreeSpaceEvidence& evidence, bool planar,
+                                  const KnownPieces& known = {}) {
   const JointBeliefParameters lengths = atADecimetre();
   const std::vector<Explanation> explanations(kHypotheses, Explanation(contacts.size(), 0));
   const BelievedPrior believed{
-      PriorEvidence(known, contacts, evidence, lengths.prior, lengths.feature, true),
+      PriorEvidence(known, contacts, evidence, lengths.prior, lengths.feature, planar),
       std::vector<HypothesisMask>(known.size(), ~HypothesisMask{0})};
   return SurfaceExtents({contacts, evidence, explanations, ~HypothesisMask{0}, believed},
-                        lengths.feature, lengths.extent, true, 1)
+                        lengths.feature, lengths.extent, planar, 1)
       .object();
 }
 
 // Worlds in which the object, touched at its left ends at two heights, goes on for more than 20 cm
 // behind the upper touch; `ahead` of the lower one what was touched in the world lay free.
-int worldsOfDepth(double ahead, const KnownPieces& known = {}) {
+int worldsOfDepth(double ahead, bool planar, const KnownPieces& known = {}) {
   const JointBeliefParameters lengths = atADecimetre();
   FreeSpaceEvidence evidence(lengths.free_space, lengths.feature.conflictDistance());
   evidence.addPose(Pose::Identity());
@@ -126,7 +126,7 @@ int worldsOfDepth(double ahead, const KnownPieces& known = {}) {
       contactAt(upper, far, 1), contactAt(lower, Vec3(lower + ahead * Vec3::UnitX()), 2)};
   for (ContactHypotheses& contact : contacts) contact.object_normal.set(0, Vec3::UnitX());
   HypothesisMask worlds = 0;
-  for (const MaskedPoint& ball : objectInThePlane(contacts, evidence, known)) {
+  for (const MaskedPoint& ball : objectOf(contacts, evidence, planar, known)) {
     if (ball.point.x() > 0.2F && std::abs(ball.point.y() - 0.3F) < 0.02F) worlds |= ball.mask;
   }
   return __builtin_popcountll(worlds);
@@ -136,21 +136,47 @@ TEST(SurfaceExtents, GoOnBehindAllTouchesAsDeepAsFreeSpaceAllowsBehindEach) {
   const ExtentParameters extent = atADecimetre().extent;
   const double deeper = std::log(extent.object_longest / 0.2) /
                         std::log(extent.object_longest / extent.shortest) * kHypotheses;
-  EXPECT_NEAR(worldsOfDepth(3.0), deeper, 4.0);
-  EXPECT_EQ(worldsOfDepth(0.1), 0) << "the object is thinner than that elsewhere";
+  for (const bool planar : {true, false}) {
+    EXPECT_NEAR(worldsOfDepth(3.0, planar), deeper, 4.0) << planar;
+    EXPECT_EQ(worldsOfDepth(0.1, planar), 0) << "the object is thinner than that elsewhere";
+  }
 }
 
 // What is known to be matter goes on behind a touch as much as what is not known does; what is
 // known to be free does not.
 TEST(SurfaceExtents, GoOnThroughKnownMatterAndEndWhereNothingIsKnownToBe) {
-  const auto behindTheLower = [](float probability) -> KnownPieces {
-    Prior prior{VoxelGrid(0.01), 0.999};
-    visitVoxels(voxelAt({0.05, -0.35, 0.0}, 0.01), voxelAt({0.8, -0.25, 0.0}, 0.01),
-                [&](const VoxelKey& key) { prior.known.set(key, probability); });
-    return {std::make_shared<const KnownMatter>(MapSide::kObject, prior, Pose::Identity(), true)};
-  };
-  EXPECT_EQ(worldsOfDepth(3.0, behindTheLower(1.0F)), worldsOfDepth(3.0));
-  EXPECT_EQ(worldsOfDepth(3.0, behindTheLower(0.0F)), 0);
+  for (const bool planar : {true, false}) {
+    const auto behindTheLower = [planar](float probability) -> KnownPieces {
+      Prior prior{VoxelGrid(0.01), 0.999};
+      visitVoxels(voxelAt({0.05, -0.35, -0.05}, 0.01), voxelAt({0.8, -0.25, 0.05}, 0.01),
+                  [&](const VoxelKey& key) { prior.known.set(key, probability); });
+      return {
+          std::make_shared<const KnownMatter>(MapSide::kObject, prior, Pose::Identity(), planar)};
+    };
+    EXPECT_EQ(worldsOfDepth(3.0, planar, behindTheLower(1.0F)), worldsOfDepth(3.0, planar));
+    EXPECT_EQ(worldsOfDepth(3.0, planar, behindTheLower(0.0F)), 0);
+  }
+}
+
+// Touches of a wall whose forces friction tilts: where one surface goes on far, its matter is in
+// the wall.
+TEST(SurfaceExtents, GoOnInThePlaneThatTouchesInSpaceShare) {
+  const JointBeliefParameters lengths = atADecimetre();
+  const FreeSpaceEvidence no_evidence(lengths.free_space, lengths.feature.conflictDistance());
+  std::vector<ContactHypotheses> contacts;
+  for (int i = 0; i < 8; ++i) {
+    const double turn = 2.0 * M_PI * i / 8.0;
+    const Vec3 around(std::cos(turn), std::sin(turn), 0.0);
+    contacts.push_back(contactAt({0.0, 0.0, 0.1}, Vec3(0.15 * around), i + 1));
+    contacts.back().world_normal.set(0, (Vec3::UnitZ() + 0.25 * around).normalized());
+  }
+  const std::vector<Explanation> explanations(kHypotheses, Explanation(contacts.size(), 0));
+  const SurfaceExtents surfaces({contacts, no_evidence, explanations, ~HypothesisMask{0}, {}},
+                                lengths.feature, lengths.extent, false, 1);
+  // Along the forces it would be up to a quarter of this beside the wall.
+  for (const MaskedPoint& ball : surfaces.world()) {
+    EXPECT_LT(std::abs(ball.point.z()), 0.1F * lengths.extent.world_longest);
+  }
 }
 
 TEST(SurfaceExtents, JoinTouchesInThePlaneToo) {
@@ -162,7 +188,7 @@ TEST(SurfaceExtents, JoinTouchesInThePlaneToo) {
   contacts[0].object_normal.set(0, Vec3::UnitX());
   contacts[1].object_normal.set(0, -Vec3::UnitX());
   HypothesisMask joined = 0;
-  for (const MaskedPoint& ball : objectInThePlane(contacts, no_evidence)) {
+  for (const MaskedPoint& ball : objectOf(contacts, no_evidence, true)) {
     if (ball.point.norm() < 0.02F) joined |= ball.mask;
   }
   EXPECT_EQ(joined, ~HypothesisMask{0});

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "smore/mapping/forbidden_matter.h"
+#include "smore/mapping/surface_normals.h"
 #include "smore/mapping/surface_patch.h"
 #include "smore/mapping/worlds_at_unit.h"
 
@@ -15,14 +16,15 @@ namespace smore {
 /// How far surfaces go on is one unknown size of each explanation's world and, in planar motion,
 /// one of its object, spread evenly over all orders of magnitude: a touch near a gap then closes it
 /// in those worlds alone whose surfaces are as large, however many touches there are. In space the
-/// object is mostly touched at corners, where its tangent planes are hardly in it; there it has no
-/// patches. What is known beforehand is neither covered nor entered.
+/// object is mostly touched at corners, where its tangent planes are hardly in it; there its
+/// surfaces are points, and the world's are turned as surfaceNormals says. What is known beforehand
+/// is neither covered nor entered.
 ///
 /// The object is in one piece, as what is held in one hand is: its touches are joined, and rings
-/// closed as far as its surfaces go on. In planar motion its matter also goes on behind its
-/// surface, to one depth for all of it, spread like the sizes. The object is as thick as where it
-/// is thinnest: where free space ends the matter straight behind any of its touches sooner, that is
-/// the depth behind all of them.
+/// closed as far as its surfaces go on. Its matter also goes on behind its surface, to one depth
+/// for all of it, spread like the sizes. The object is as thick as where it is thinnest: where free
+/// space ends the matter straight behind any of its touches sooner, that is the depth behind all of
+/// them.
 class SurfaceExtents {
  public:
   SurfaceExtents(const WorldSamples& samples, const FeatureParameters& feature,
@@ -52,6 +54,7 @@ class SurfaceExtents {
     std::uint64_t id;  ///< of its contact
     SurfacePatch patch;
   };
+  std::vector<TouchedPoint> touchedPoints(MapSide side, const std::vector<Touch>& touches) const;
   std::vector<TouchedPatch> touchedPatches(MapSide side, int hypothesis) const;
   /// How deep the object is behind all of its touches [steps].
   int objectDepth(int hypothesis, const std::vector<TouchedPatch>& touched,
@@ -59,7 +62,8 @@ class SurfaceExtents {
   std::vector<Eigen::Vector3f> patches(MapSide side, int hypothesis, const MatterAllowed& allowed,
                                        const MatterAllowed& behind) const;
   std::vector<Eigen::Vector3f> joined(int hypothesis, const MatterAllowed& allowed) const;
-  bool hasPatches(MapSide side) const;
+  /// Whether its patches are more than points.
+  bool goesOnAlong(MapSide side) const;
   double longestRadius(MapSide side) const;
   /// How far surfaces of that side go on in this hypothesis [m].
   double radiusOf(MapSide side, int hypothesis) const;
