@@ -9,7 +9,6 @@
 #include "smore/common/parallel_for.h"
 #include "smore/mapping/counter_random.h"
 #include "smore/mapping/joined_touches.h"
-#include "smore/mapping/surface_normals.h"
 
 namespace smore {
 namespace {
@@ -19,8 +18,8 @@ namespace {
 constexpr double kPlanarStep = 0.5;
 constexpr double kSpatialStep = 0.8;
 
-// Of a force from the normal: the edge of the cone of friction, with the coefficient .3 of hard and
-// dry surfaces, in any direction.
+// Of a force from the normal, about each of two axes [rad]: 0.29 rad, the edge of the cone of
+// friction with a coefficient of .3, in any direction. The coefficient is our choice.
 constexpr float kFrictionTilt = 0.2F;
 
 // Points are merged and looked up on lattices that are fine against the balls.
@@ -179,8 +178,8 @@ std::vector<TouchedPoint> SurfaceExtents::touchedPoints(MapSide side,
   return points;
 }
 
-// In space the world's surfaces lie as touches on the same surface say: the object is touched at
-// corners there, and in planar motion nothing was gained by it.
+// In space the world's surfaces lie as touches on the same surface say, but not the object's, which
+// is touched at corners there. In planar motion it has not been tried.
 std::vector<SurfaceExtents::TouchedPatch> SurfaceExtents::touchedPatches(MapSide side,
                                                                          int hypothesis) const {
   const std::vector<Touch> those = touches(side, hypothesis);

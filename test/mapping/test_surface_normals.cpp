@@ -57,7 +57,7 @@ TEST(SurfaceNormals, AreTheForcesWhereNothingElseWasTouched) {
 
 // Two touches: the plane through both, but for what the forces say, which weighs as a tilt of 0.2
 // rad beside 2 cm over their distance.
-TEST(SurfaceNormals, ArePosteriorMeansForTwoTouches) {
+TEST(SurfaceNormals, AreTheLikeliestForTwoTouches) {
   for (const float slope : {0.02F, 0.05F, 0.1F}) {
     const float distance = 0.2F;
     const std::vector<TouchedPoint> touches = {

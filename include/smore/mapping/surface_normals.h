@@ -12,9 +12,9 @@ struct TouchedPoint {
   Eigen::Vector3f normal = Eigen::Vector3f::UnitX();  ///< unit
 };
 
-/// How far touches of one flat surface differ; both positive.
+/// How far touches of one flat surface differ; all positive.
 struct SurfaceSpread {
-  float tilt = 0.2F;    ///< standard deviation of a force from the normal, about either axis [rad]
+  float tilt = 0.0F;    ///< standard deviation of a force from the normal, about either axis [rad]
   float height = 0.0F;  ///< of the places across the surface [m]
   float reach = 0.0F;   ///< touches farther away say nothing [m]
 };
