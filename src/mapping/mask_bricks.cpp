@@ -34,17 +34,29 @@ void MaskBricks::grow() {
   }
 }
 
-bool MaskBricks::row(const Cell& first, int count, HypothesisMask* masks) const {
+MaskBricks::BricksOfRow MaskBricks::bricksOfRow(const Cell& first, int count) const {
+  const auto [begin, y, z] = first;
+  BricksOfRow bricks;
+  bool any = false;
+  for (int x = begin >> kSideBits; x <= (begin + count - 1) >> kSideBits; ++x) {
+    bricks.push_back(find(cellKey(x, y >> kSideBits, z >> layer_bits_)));
+    any = any || bricks.back() != kNone;
+  }
+  return any ? bricks : BricksOfRow();
+}
+
+bool MaskBricks::row(const Cell& first, int count, const BricksOfRow& bricks,
+                     HypothesisMask* masks) const {
   const auto [begin, y, z] = first;
   HypothesisMask any = 0;
-  for (int i = 0; i < count;) {
+  auto brick = bricks.begin();
+  for (int i = 0; i < count; ++brick) {
     const int x = begin + i;
     const int length = std::min(count - i, kSide - (x & (kSide - 1)));
-    const std::uint32_t brick = find(cellKey(x >> kSideBits, y >> kSideBits, z >> layer_bits_));
-    if (brick == kNone) {
+    if (*brick == kNone) {
       std::fill_n(masks + i, length, HypothesisMask{0});
     } else {
-      const HypothesisMask* source = &masks_[brick + offsetOf(x, y, z)];
+      const HypothesisMask* source = &masks_[*brick + offsetOf(x, y, z)];
       for (int k = 0; k < length; ++k) any |= masks[i + k] = source[k];
     }
     i += length;
@@ -60,7 +72,15 @@ void MaskBricks::markRow(const Cell& first, const HypothesisMask* masks) {
   for (int k = 0; k < kSide; ++k) row[k] |= masks[k];
 }
 
-void MaskBricks::add(const MaskBricks& other) {
+// With memory for all of them at once: masks are many megabytes.
+void MaskBricks::add(const std::vector<MaskBricks>& others) {
+  std::size_t most = masks_.size();
+  for (const MaskBricks& other : others) most += other.masks_.size();
+  masks_.reserve(most);
+  for (const MaskBricks& other : others) addOne(other);
+}
+
+void MaskBricks::addOne(const MaskBricks& other) {
   const HypothesisMask* source = other.masks_.data();
   for (const Cell& cell : other.lowest_cells_) {
     HypothesisMask* brick = &masks_[findOrAdd(cell)];

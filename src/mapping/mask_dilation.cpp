@@ -94,39 +94,72 @@ class Dilation {
     return {tiles.begin(), tiles.end()};
   }
 
-  // A ball is rows along x, each of its own half length: a row of marked cells is widened once for
-  // each of these lengths.
   MaskBricks dilatedIn(const Cell& tile) const {
-    std::vector<HypothesisMask> masks(static_cast<std::size_t>(kTileSide) * kTileSide * layers_);
-    std::vector<HypothesisMask> row(kTileSide + 2 * reach_);
-    std::vector<HypothesisMask> widened(row.size());
-    Cell first{tile[0] - reach_, 0, 0};
-    for (first[2] = tile[2] - height_; first[2] < tile[2] + layers_ + height_; ++first[2]) {
-      for (first[1] = tile[1] - reach_; first[1] < tile[1] + kTileSide + reach_; ++first[1]) {
-        if (!marked_.row(first, static_cast<int>(row.size()), row.data())) continue;
-        int half_length = -1;
-        for (const BallRow& of_ball : ball_) {
-          for (; half_length < of_ball.half_length; ++half_length) {
-            widen(row, half_length + 1, &widened);
-          }
-          const int y = first[1] + of_ball.y - tile[1];
-          const int z = first[2] + of_ball.z - tile[2];
-          if (y < 0 || y >= kTileSide || z < 0 || z >= layers_) continue;
-          unite(&widened[reach_], kTileSide, &masks[(z * kTileSide + y) * kTileSide]);
-        }
+    const int width = kTileSide + 2 * reach_;
+    Tile result{
+        tile,
+        {tile[0] - reach_, tile[1] - reach_, tile[2] - height_},
+        {tile[0] + kTileSide + reach_, tile[1] + kTileSide + reach_, tile[2] + layers_ + height_},
+        std::vector<HypothesisMask>(static_cast<std::size_t>(kTileSide) * kTileSide * layers_),
+        std::vector<HypothesisMask>(width),
+        std::vector<HypothesisMask>(width)};
+    Cell brick = result.low;
+    for (brick[2] = floorTo(brick[2], marked_.layers()); brick[2] < result.high[2];
+         brick[2] += marked_.layers()) {
+      for (brick[1] = floorTo(result.low[1], MaskBricks::kSide); brick[1] < result.high[1];
+           brick[1] += MaskBricks::kSide) {
+        addRowsAt(brick, &result);
       }
     }
-    return inBricks(tile, masks);
+    return inBricks(result);
   }
 
  private:
-  MaskBricks inBricks(const Cell& tile, const std::vector<HypothesisMask>& masks) const {
+  struct Tile {
+    Cell first;  // its lowest cell
+    Cell low;    // of the cells whose balls may reach it, and beyond the highest of them
+    Cell high;
+    std::vector<HypothesisMask> masks;
+    std::vector<HypothesisMask> row;      // of marked cells
+    std::vector<HypothesisMask> widened;  // that row
+  };
+
+  // All rows that lie in the same bricks as the one from `brick` on.
+  void addRowsAt(const Cell& brick, Tile* tile) const {
+    const auto width = static_cast<int>(tile->row.size());
+    const MaskBricks::BricksOfRow bricks = marked_.bricksOfRow(brick, width);
+    if (bricks.empty()) return;
+    const int end_y = std::min(tile->high[1], brick[1] + MaskBricks::kSide);
+    const int end_z = std::min(tile->high[2], brick[2] + marked_.layers());
+    for (int z = std::max(tile->low[2], brick[2]); z < end_z; ++z) {
+      for (int y = std::max(tile->low[1], brick[1]); y < end_y; ++y) {
+        if (marked_.row({brick[0], y, z}, width, bricks, tile->row.data())) addBalls(y, z, tile);
+      }
+    }
+  }
+
+  // A ball is rows along x, each of its own half length: a row of marked cells is widened once for
+  // each of these lengths.
+  void addBalls(int row_y, int row_z, Tile* tile) const {
+    int half_length = -1;
+    for (const BallRow& of_ball : ball_) {
+      for (; half_length < of_ball.half_length; ++half_length) {
+        widen(tile->row, half_length + 1, &tile->widened);
+      }
+      const int y = row_y + of_ball.y - tile->first[1];
+      const int z = row_z + of_ball.z - tile->first[2];
+      if (y < 0 || y >= kTileSide || z < 0 || z >= layers_) continue;
+      unite(&tile->widened[reach_], kTileSide, &tile->masks[(z * kTileSide + y) * kTileSide]);
+    }
+  }
+
+  MaskBricks inBricks(const Tile& tile) const {
     MaskBricks result(marked_.flat());
-    const HypothesisMask* row = masks.data();
+    const HypothesisMask* row = tile.masks.data();
     for (int z = 0; z < layers_; ++z) {
       for (int y = 0; y < kTileSide; ++y) {
         for (int x = 0; x < kTileSide; x += MaskBricks::kSide, row += MaskBricks::kSide) {
-          result.markRow({tile[0] + x, tile[1] + y, tile[2] + z}, row);
+          result.markRow({tile.first[0] + x, tile.first[1] + y, tile.first[2] + z}, row);
         }
       }
     }
@@ -148,7 +181,7 @@ MaskBricks dilated(const MaskBricks& marked, float radius) {
   std::vector<MaskBricks> parts(tiles.size());
   parallelFor(tiles.size(), [&](std::size_t i) { parts[i] = dilation.dilatedIn(tiles[i]); });
   MaskBricks result(marked.flat());
-  for (const MaskBricks& part : parts) result.add(part);
+  result.add(parts);
   return result;
 }
 

@@ -2,8 +2,11 @@
 #include "smore/mapping/matter_overlap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
 
 namespace smore {
 namespace {
@@ -11,6 +14,44 @@ namespace {
 bool moreHypotheses(const MaskedPoint& a, const MaskedPoint& b) {
   return __builtin_popcountll(a.mask) > __builtin_popcountll(b.mask);
 }
+
+// Looked up together, so that memory is waited for once and not for each.
+constexpr std::size_t kTogether = 32;
+
+// Masks of places in a grid.
+class Lookups {
+ public:
+  explicit Lookups(const MaskGrid* grid) : grid_(grid) {}
+
+  // The place counts where `mask` says.
+  void add(const Eigen::Vector3f& point, HypothesisMask mask) {
+    places_[count_] = grid_->placeOf(point);
+    masks_[count_++] = mask;
+  }
+  bool full() const { return count_ == kTogether; }
+
+  // The masks of the places in the order in which they were added; then there are none.
+  const std::array<HypothesisMask, kTogether>& take() {
+    std::array<const HypothesisMask*, kTogether> found;
+    for (std::size_t i = 0; i < count_; ++i) found[i] = grid_->maskAt(places_[i]);
+    for (std::size_t i = 0; i < count_; ++i) masks_[i] &= *found[i];
+    count_ = 0;
+    return masks_;
+  }
+
+  HypothesisMask takeUnion() {
+    const std::size_t count = count_;
+    const auto& masks = take();
+    return std::accumulate(masks.begin(), masks.begin() + count, HypothesisMask{0},
+                           std::bit_or<>());
+  }
+
+ private:
+  const MaskGrid* grid_;
+  std::size_t count_ = 0;
+  std::array<MaskBricks::Place, kTogether> places_;
+  std::array<HypothesisMask, kTogether> masks_;
+};
 
 }  // namespace
 
@@ -53,21 +94,33 @@ void MatterOverlap::makeBlocks(const std::vector<MaskedPoint>& points, float siz
 
 HypothesisMask MatterOverlap::at(const Eigen::Isometry3f& T_map_object, int enough) const {
   const Eigen::Isometry3f pose = object_moves_ ? T_map_object : T_map_object.inverse();
-  const Eigen::Matrix3f rotation = pose.linear();
-  const Eigen::Vector3f translation = pose.translation();
   HypothesisMask result = 0;
-  for (const Block& block : blocks_) {
-    const HypothesisMask open = block.whole.mask & ~result;
-    if (open == 0) continue;
-    const HypothesisMask near = near_block_.at(rotation * block.whole.point + translation) & open;
-    if (near == 0) continue;
-    for (int i = block.first; i < block.last; ++i) {
-      if ((points_[i].mask & near & ~result) == 0) continue;
-      result |= near_ball_.at(rotation * points_[i].point + translation) & points_[i].mask;
-    }
+  for (std::size_t first = 0; first < blocks_.size(); first += kTogether) {
+    addOverlaps(first, std::min(first + kTogether, blocks_.size()), pose, &result);
     if (__builtin_popcountll(result) > enough) break;
   }
   return result;
+}
+
+void MatterOverlap::addOverlaps(std::size_t first, std::size_t last, const Eigen::Isometry3f& pose,
+                                HypothesisMask* result) const {
+  Lookups blocks(&near_block_);
+  for (std::size_t i = first; i < last; ++i) {
+    blocks.add(pose * blocks_[i].whole.point, blocks_[i].whole.mask);
+  }
+  const auto& near = blocks.take();
+  Lookups balls(&near_ball_);
+  for (std::size_t i = first; i < last; ++i) {
+    const HypothesisMask open = near[i - first] & ~*result;
+    if (open == 0) continue;
+    for (int k = blocks_[i].first; k < blocks_[i].last; ++k) {
+      const HypothesisMask mask = points_[k].mask & open & ~*result;
+      if (mask == 0) continue;
+      balls.add(pose * points_[k].point, mask);
+      if (balls.full()) *result |= balls.takeUnion();
+    }
+  }
+  *result |= balls.takeUnion();
 }
 
 }  // namespace smore

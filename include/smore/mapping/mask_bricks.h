@@ -29,19 +29,48 @@ class MaskBricks {
     return brick == kNone ? 0 : masks_[brick + offsetOf(x, y, z)];
   }
 
+  /// A cell that will be looked up.
+  struct Place {
+    std::uint64_t key = 0;  ///< of its brick
+    std::size_t offset = 0;
+  };
+
+  /// What `at` reads, in two steps each of which sends for the memory that the next one reads: many
+  /// cells are waited for together. Valid until a cell is marked.
+  Place placeOf(int x, int y, int z) const {
+    const std::uint64_t key = cellKey(x >> kSideBits, y >> kSideBits, z >> layer_bits_);
+    __builtin_prefetch(&slots_[slotOf(key)]);
+    return {key, offsetOf(x, y, z)};
+  }
+  const HypothesisMask* maskAt(const Place& place) const {
+    static constexpr HypothesisMask kNothing = 0;
+    const std::uint32_t brick = find(place.key);
+    if (brick == kNone) return &kNothing;
+    const HypothesisMask* mask = &masks_[brick + place.offset];
+    __builtin_prefetch(mask);
+    return mask;
+  }
+
   /// Adds to the mask of a cell.
   void mark(int x, int y, int z, HypothesisMask mask) {
     if (mask != 0) masks_[findOrAdd({x, y, z}) + offsetOf(x, y, z)] |= mask;
   }
 
-  /// Writes the masks of `count` cells along x from `first` on; false where all of them are 0.
-  bool row(const Cell& first, int count, HypothesisMask* masks) const;
+  /// The bricks that `count` cells along x from `first` on lie in, one after the other; empty where
+  /// there are none. Rows of other y and z lie in the same bricks as long as they are in that of
+  /// `first`.
+  using BricksOfRow = std::vector<std::uint32_t>;
+  BricksOfRow bricksOfRow(const Cell& first, int count) const;
+
+  /// Writes the masks of `count` cells along x from `first` on, which lie in `bricks`; false where
+  /// all of them are 0.
+  bool row(const Cell& first, int count, const BricksOfRow& bricks, HypothesisMask* masks) const;
 
   /// Adds the masks of kSide cells along x, the first of which begins a brick.
   void markRow(const Cell& first, const HypothesisMask* masks);
 
-  /// Adds the masks of another such lattice.
-  void add(const MaskBricks& other);
+  /// Adds the masks of other such lattices.
+  void add(const std::vector<MaskBricks>& others);
 
   bool flat() const { return layer_bits_ == 0; }
   /// The lowest cell of each brick, in the order in which they were added.
@@ -75,6 +104,7 @@ class MaskBricks {
   }
   std::size_t cellsInBrick() const { return std::size_t{kSide * kSide} << layer_bits_; }
   std::uint32_t findOrAdd(const Cell& cell);
+  void addOne(const MaskBricks& other);
   void insert(const Slot& entry);
   void grow();
 

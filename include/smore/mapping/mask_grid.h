@@ -59,6 +59,14 @@ class MaskGrid {
     return bricks_.at(cellOf(point.x()), cellOf(point.y()), cellOf(point.z()));
   }
 
+  /// What `at` says, in two steps (MaskBricks).
+  MaskBricks::Place placeOf(const Eigen::Vector3f& point) const {
+    return bricks_.placeOf(cellOf(point.x()), cellOf(point.y()), cellOf(point.z()));
+  }
+  const HypothesisMask* maskAt(const MaskBricks::Place& place) const {
+    return bricks_.maskAt(place);
+  }
+
  private:
   int cellOf(float coordinate) const {
     const float scaled = coordinate * inverse_cell_ + 0.5F;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <vector>
 
 #include "smore/mapping/mask_grid.h"
@@ -9,7 +10,7 @@
 namespace smore {
 
 /// In which worlds balls of the object and balls of the world overlap at a pose: looked up in grids
-/// of the side that has more of them, point by point and in blocks of points before.
+/// of the side that has more of them, point by point and in blocks of points before, many at once.
 class MatterOverlap {
  public:
   /// Balls whose centres are nearer than `distance` [m] overlap; blocks are `block` [m] wide. In
@@ -27,6 +28,10 @@ class MatterOverlap {
     int first = 0;
     int last = 0;
   };
+  /// Of the blocks from `first` to before `last`; `pose` is that of the side that is looked up in
+  /// the other's frame.
+  void addOverlaps(std::size_t first, std::size_t last, const Eigen::Isometry3f& pose,
+                   HypothesisMask* result) const;
   void makeBlocks(const std::vector<MaskedPoint>& points, float size);
 
   // The side with fewer points is looked up, point by point, in grids of the other side.
