@@ -43,6 +43,21 @@ void PointIndex::build(const std::vector<Eigen::Vector3f>& points) {
     points_[slot] = points[i];
     original_[slot] = static_cast<int>(i);
   }
+  markNeighbours();
+}
+
+void PointIndex::markNeighbours() {
+  has_neighbours_.assign(static_cast<std::size_t>((size_.array() + 2).prod()), false);
+  for (const Eigen::Vector3f& point : points_) {
+    const Eigen::Vector3i at = ((point - min_) / cell_).array().floor().matrix().cast<int>();
+    for (int z = -1; z <= 1; ++z) {
+      for (int y = -1; y <= 1; ++y) {
+        for (int x = -1; x <= 1; ++x) {
+          has_neighbours_[marginCellOf(at + Eigen::Vector3i(x, y, z))] = true;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace smore

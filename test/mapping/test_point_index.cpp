@@ -50,6 +50,26 @@ TEST(PointIndex, FindsWhatAllPairsFind) {
   compareWithAllPairs(cloud(400, 0.2F, Eigen::Vector3f::Zero()));
 }
 
+// Inside of the box that the points lie in, at its faces and just outside of them.
+TEST(PointIndex, FindsThemFromAllAroundThem) {
+  const std::vector<Eigen::Vector3f> points = cloud(60, 0.1F, {3.0F, -2.0F, 1.0F});
+  PointIndex index(kRadius);
+  index.build(points);
+  std::mt19937 engine(6);
+  std::uniform_real_distribution<float> uniform(-0.1F - 2.0F * kRadius, 0.1F + 2.0F * kRadius);
+  int beside = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Eigen::Vector3f offset(uniform(engine), uniform(engine), uniform(engine));
+    const Eigen::Vector3f place = offset + Eigen::Vector3f(3.0F, -2.0F, 1.0F);
+    std::vector<int> near;
+    index.forNear(place, [&near](int k) { near.push_back(k); });
+    std::sort(near.begin(), near.end());
+    EXPECT_EQ(near, nearByAllPairs(points, place));
+    beside += !near.empty() && offset.cwiseAbs().maxCoeff() > 0.1F ? 1 : 0;
+  }
+  EXPECT_GT(beside, 100);
+}
+
 TEST(PointIndex, FindsTheSameWhereTwoPlacesLieAKilometreApart) {
   std::vector<Eigen::Vector3f> points = cloud(100, 0.1F, Eigen::Vector3f::Zero());
   const std::vector<Eigen::Vector3f> far = cloud(100, 0.1F, {600.0F, 500.0F, 700.0F});

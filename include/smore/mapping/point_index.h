@@ -25,6 +25,7 @@ class PointIndex {
     const Eigen::Vector3f scaled = (place - min_) / cell_;
     if (!inside(scaled)) return;
     const Eigen::Vector3i at = scaled.array().floor().matrix().cast<int>();
+    if (!has_neighbours_[marginCellOf(at)]) return;
     const int z_end = std::min(at.z() + 1, size_.z() - 1);
     const int y_end = std::min(at.y() + 1, size_.y() - 1);
     for (int z = std::max(at.z() - 1, 0); z <= z_end; ++z) {
@@ -45,6 +46,11 @@ class PointIndex {
            (scaled.array() < size_.cast<float>().array() + 1.0F).all();
   }
   int cellOf(const Eigen::Vector3f& point) const;
+  /// In the box with one more cell on all sides.
+  int marginCellOf(const Eigen::Vector3i& at) const {
+    return ((at.z() + 1) * (size_.y() + 2) + at.y() + 1) * (size_.x() + 2) + at.x() + 1;
+  }
+  void markNeighbours();
 
   float radius_;
   float cell_;  ///< at least the radius [m]
@@ -52,7 +58,10 @@ class PointIndex {
   Eigen::Vector3i size_ = Eigen::Vector3i::Zero();
   std::vector<int> first_;               ///< of each cell in points_
   std::vector<Eigen::Vector3f> points_;  ///< in the order of their cells
-  std::vector<int> original_;            ///< where each stood in the list given to build
+  /// For each cell of the box and its margin, whether it or one beside it holds points: a bit, so
+  /// that empty room is passed over without waiting for memory.
+  std::vector<bool> has_neighbours_;
+  std::vector<int> original_;  ///< where each stood in the list given to build
 };
 
 }  // namespace smore
