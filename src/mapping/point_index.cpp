@@ -17,7 +17,7 @@ float cellFor(const Eigen::Vector3f& span, float radius) {
 }  // namespace
 
 int PointIndex::cellOf(const Eigen::Vector3f& point) const {
-  const Eigen::Vector3i at = ((point - min_) / cell_).array().floor().matrix().cast<int>();
+  const Eigen::Vector3i at = cellsAlong(point);
   return (at.z() * size_.y() + at.y()) * size_.x() + at.x();
 }
 
@@ -31,7 +31,7 @@ void PointIndex::build(const std::vector<Eigen::Vector3f>& points) {
     max = max.cwiseMax(point);
   }
   cell_ = cellFor(max - min_, radius_);
-  size_ = ((max - min_) / cell_).array().floor().matrix().cast<int>() + Eigen::Vector3i::Ones();
+  size_ = cellsAlong(max) + Eigen::Vector3i::Ones();
   first_.assign(static_cast<std::size_t>(size_.prod()) + 1, 0);
   for (const Eigen::Vector3f& point : points) ++first_[cellOf(point) + 1];
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
@@ -49,7 +49,7 @@ void PointIndex::build(const std::vector<Eigen::Vector3f>& points) {
 void PointIndex::markNeighbours() {
   has_neighbours_.assign(static_cast<std::size_t>((size_.array() + 2).prod()), false);
   for (const Eigen::Vector3f& point : points_) {
-    const Eigen::Vector3i at = ((point - min_) / cell_).array().floor().matrix().cast<int>();
+    const Eigen::Vector3i at = cellsAlong(point);
     for (int z = -1; z <= 1; ++z) {
       for (int y = -1; y <= 1; ++y) {
         for (int x = -1; x <= 1; ++x) {

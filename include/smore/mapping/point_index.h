@@ -45,6 +45,9 @@ class PointIndex {
     return (scaled.array() > -1.0F).all() &&
            (scaled.array() < size_.cast<float>().array() + 1.0F).all();
   }
+  Eigen::Vector3i cellsAlong(const Eigen::Vector3f& point) const {
+    return ((point - min_) / cell_).array().floor().matrix().cast<int>();
+  }
   int cellOf(const Eigen::Vector3f& point) const;
   /// In the box with one more cell on all sides.
   int marginCellOf(const Eigen::Vector3i& at) const {
