@@ -163,6 +163,7 @@ std::optional<JointTrajectory> MotionGuard::admit(double now, const JointTraject
 }
 
 void MotionGuard::check(double now) {
+  settleWrench(now);
   const std::string problem = silence(now, parameters_.max_silence);
   if (!problem.empty()) stop(problem);
   if (!safety_stop_.empty()) {
@@ -170,6 +171,12 @@ void MotionGuard::check(double now) {
     stop(safety_stop_);
   }
   if (!program_runs_) stop(kProgramEnded);
+}
+
+void MotionGuard::settleWrench(double now) {
+  if (now <= checked_) return;
+  checked_ = now;
+  settled_wrench_ = std::exchange(newest_wrench_, wrench_beat_.stamp);
 }
 
 void MotionGuard::onProgram(bool running) { program_runs_ = running; }
@@ -223,8 +230,8 @@ std::string MotionGuard::silence(double now, double most) const {
     return "the wrench has been the same for over " + milliseconds(most) +
            ", as no sensor with noise says; is the connection to the robot cut?";
   }
-  const double newest = wrench_beat_.stamp.value_or(0.0);
-  const bool behind = contact_beat_.stamp && newest - *contact_beat_.stamp > most;
+  const bool behind =
+      contact_beat_.stamp && settled_wrench_ && *settled_wrench_ - *contact_beat_.stamp > most;
   if (silent(contact_beat_) || behind) {
     return "the contact observations are late by over " + milliseconds(most) +
            "; is the force_torque node up, and does it get transforms?";
@@ -255,9 +262,9 @@ std::string MotionGuard::problemOfPoints(const JointTrajectory& ordered) const {
     if (!is_start && point.time <= last.time) return "the commanded trajectory's times do not rise";
     for (size_t i = 0; i < joint_names_.size(); ++i) {
       const double away = std::abs(point.positions[i] - state_.positions[i]);
-      if (is_start && away > parameters_.start_tolerance) {
+      if (is_start && away > parameters_.path_tolerance) {
         return above("the distance of " + joint_names_[i] + " from the commanded start", away,
-                     parameters_.start_tolerance, "rad");
+                     parameters_.path_tolerance, "rad");
       }
       const double speed = is_start ? 0.0 : greatestSpeed(last, point, i);
       if (speed > parameters_.limits.max_joint_speed) {

@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "force_torque_parameters.h"
+#include "payload_requests.h"
 #include "sensing_events.h"
 #include "sensing_record.h"
-#include "smore/contact/still_poses.h"
 #include "smore/ros/belief_files.h"
 #include "smore/ros/listener_status.h"
 #include "smore/ros/names.h"
@@ -33,6 +33,7 @@ class ForceTorqueNode {
   ForceTorqueNode(const ForceTorqueParameters& parameters, const std::string& told)
       : parameters_(parameters),
         sensing_(parameters.sensing),
+        payloads_(parameters.sensing.payload, parameters.axes),
         intake_(
             parameters, [this] { restart(); },
             [this](const WrenchSample& sample, const ros::Time& stamp) {
@@ -58,7 +59,8 @@ class ForceTorqueNode {
                               hints);
     tare_ = serve(names::kTare, &tares_.tare());
     suspend_ = serve(names::kSuspend, &tares_.suspension());
-    identify_ = serve(names::kIdentifyPayload, &identify_request_);
+    identify_ = serve(names::kIdentifyPayload, &payloads_.identification());
+    forget_ = serve(names::kForgetPayload, &payloads_.forgetting());
     statuses_.add("wrench", [this](Status* status) {
       WrenchReport report = intake_.report();
       report.dropped.not_finite = refused_;
@@ -114,7 +116,7 @@ class ForceTorqueNode {
   void restart() {
     note(Event::RESET, ros::Time());
     sensing_ = ContactSensing(parameters_.sensing);
-    still_poses_.clear();
+    payloads_.forgetPoses();
     tares_.forget();
   }
 
@@ -136,7 +138,10 @@ class ForceTorqueNode {
   void process(const WrenchSample& sample, const ros::Time& stamp) {
     if (told_.events.empty()) note(Event::START, stamp);
     if (const auto kind = tares_.apply(sample.time, &sensing_)) noteBias(*kind, stamp);
-    if (identify_request_.take()) identify(stamp);
+    if (payloads_.apply(&sensing_)) {
+      parameters_.sensing.payload = sensing_.payload();
+      note(Event::PAYLOAD, stamp);
+    }
     const bool was_tared = sensing_.tared();
     const Result<ContactObservation> observation = sensing_.process(sample);
     newest_ = sample.time;
@@ -151,23 +156,13 @@ class ForceTorqueNode {
     reportTare(was_tared);
     reportResidual();
     reportLineless();
-    addStill(sample, observation->state);
+    payloads_.add(sample, observation->state, sensing_);
   }
 
   /// After a tare or before a zeroing: what was averaged for the payload is of another bias.
   void noteBias(std::uint8_t kind, const ros::Time& stamp) {
     note(kind, stamp);
-    still_poses_.clear();
-  }
-
-  /// A contact beyond what the weight may be is none of a pose's wrench. Where no weight is
-  /// expected, a contact may be the weight.
-  void addStill(const WrenchSample& sample, ContactState state) {
-    if (state == ContactState::kContact && sensing_.payload().unknown_mass > 0.0) {
-      still_poses_.interrupt();
-    } else {
-      still_poses_.add(sample);
-    }
+    payloads_.forgetPoses();
   }
 
   void reportResidual() {
@@ -195,18 +190,6 @@ class ForceTorqueNode {
     contact_.publish(message);
   }
 
-  /// Where a payload is found, a tare begins, since the bias was that of another payload.
-  void identify(const ros::Time& stamp) {
-    const Result<IdentifiedPayload> found = identifyPayload(still_poses_.poses(), parameters_.axes);
-    const std::string problem = found ? sensing_.payloadObjection(*found) : found.reason();
-    if (!problem.empty()) return identify_request_.finish({false, problem});
-    payload_found_ = describe(*found);
-    ROS_INFO_STREAM(payload_found_);
-    parameters_.sensing.payload = found->payload;
-    sensing_.setPayload(found->payload);
-    note(Event::PAYLOAD, stamp);
-  }
-
   /// Each sample is answered, so that who waits for the answer goes on; this one says nothing.
   void publishUnsure(const WrenchSample& sample, const ros::Time& stamp) {
     ContactObservation observation;
@@ -230,7 +213,7 @@ class ForceTorqueNode {
     if (sensing_.tared()) {
       if (!was_tared) ROS_INFO("tared");
       tares_.tare().finish({true, "tared"});
-      identify_request_.finish({true, payload_found_});
+      payloads_.finish();
     } else if (!sensing_.tareProblem().empty()) {
       if (tare_warning_.isDue()) ROS_WARN_STREAM("tare refused: " << sensing_.tareProblem());
     }
@@ -260,10 +243,8 @@ class ForceTorqueNode {
 
   ForceTorqueParameters parameters_;
   ContactSensing sensing_;
-  StillPoses still_poses_;
+  PayloadRequests payloads_;
   TareRequests tares_;
-  std::string payload_found_;  ///< what was identified last; empty: nothing yet
-  SensingRequest identify_request_;
   WrenchIntake intake_;
   ros::CallbackQueue queue_;
   ros::CallbackQueue service_queue_;
@@ -273,7 +254,7 @@ class ForceTorqueNode {
   smore_msgs::SensingEvents told_;
   std::unique_ptr<SensingRecord> record_;
   ros::Subscriber wrench_, tf_, tf_static_;
-  ros::ServiceServer tare_, suspend_, identify_;
+  ros::ServiceServer tare_, suspend_, identify_, forget_;
   Throttle sample_warning_{kWarningPeriod}, lineless_warning_{kWarningPeriod};
   Throttle tare_warning_{kWarningPeriod}, silence_warning_{kWarningPeriod};
   int last_contact_ = 0;

@@ -31,8 +31,11 @@ namespace smore {
 namespace {
 
 constexpr double kChecksPerLateness = 10.0;  // so it is seen at most a tenth late
-constexpr double kAtRest = 1e-3;             // joints that stand are slower than this [rad/s]
-constexpr double kWarningPeriod = 5.0;       // [s] between warnings of one kind
+// A turn takes a period at most; one of so many means that this node was held up, and that it has
+// to listen as long before it knows what came meanwhile.
+constexpr double kPeriodsHeldUp = 4.0;
+constexpr double kAtRest = 1e-3;        // joints that stand are slower than this [rad/s]
+constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
 // A robot that was told to stop when the node ends stands after this [s of wall time], or it does
 // not obey.
 constexpr double kLastStop = 0.3;
@@ -73,9 +76,7 @@ class GuardNode {
 
   void run() {
     while (!shutdown_.pending()) {
-      // What has come by now is handed over first: silence is not that this node was held up.
-      heard_ = now();
-      queue_.callAvailable(period_);
+      hear();
       if (stream_.active()) {
         guard_.checkMotion(heard_, stream_.expected());
         checkController();
@@ -89,6 +90,18 @@ class GuardNode {
   }
 
  private:
+  /// Takes what has come. Silence is not that this node was held up: it hears one stream after the
+  /// other then, and judges as of before until it has listened for a while.
+  void hear() {
+    const double begun = now();
+    const double long_turn = kPeriodsHeldUp * period_.toSec();
+    const bool held_up = begun - begun_ > long_turn;
+    if (held_up && begun_ >= judges_from_) judges_from_ = begun + long_turn;
+    begun_ = begun;
+    if (begun >= judges_from_) heard_ = begun;
+    queue_.callAvailable(period_);
+  }
+
   void subscribe() {
     const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
     wrench_ =
@@ -252,7 +265,9 @@ class GuardNode {
   std::vector<std::string> joint_names_;
   GuardLimits limits_;
   ros::WallDuration period_;  ///< between two checks for silence
-  double heard_ = now();      ///< what had come by then is known [s]
+  double begun_ = now();      ///< the present turn [s]
+  double judges_from_ = 0.0;  ///< after this node was held up [s]
+  double heard_ = now();      ///< what had come by then was handed over [s]
   bool waits_ = false;        ///< whether the motion waits, since what is known is late
   Throttle late_warning_{kWarningPeriod};
   ros::CallbackQueue queue_;

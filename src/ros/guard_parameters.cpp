@@ -22,7 +22,6 @@ GuardParameters readGuardParameters(ParameterReader* reader) {
   reader->number("max_lateness", &parameters.max_lateness, {0.005, 10.0});
   reader->number("max_silence", &parameters.max_silence, {0.005, 10.0});
   reader->number("max_joint_speed", &limits.max_joint_speed, {kLeastLimits.max_joint_speed, 10.0});
-  reader->number("start_tolerance", &parameters.start_tolerance, {0.001, 1.0});
   reader->number("force_margin", &parameters.force_margin, {0.0, kMost});
   reader->number("torque_margin", &parameters.torque_margin, {0.0, kMost});
   reader->number("path_tolerance", &parameters.path_tolerance, {0.001, 1.0});

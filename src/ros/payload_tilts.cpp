@@ -23,9 +23,8 @@ std::string standAt(RosRobot* robot, const Pose& tilted) {
   const MotionResult back = robot->retreat(gapBetween(robot->pose(), level));
   if (there.end == MotionEnd::kContact) {
     return "something touched; give the object room at the start, or tilt it less (payload_tilt); "
-           "where what is held is much heavier than what was found before, restart the "
-           "force_torque "
-           "node, which has taken that off";
+           "where something else is held than what was identified last, call "
+           "force_torque/forget_payload while it hangs free";
   }
   if (there.end == MotionEnd::kUnreachable) return there.reason;
   return back.end == MotionEnd::kReached ? "" : back.reason;

@@ -8,7 +8,7 @@ class GuardedMotionTest : public MotionGuardTest {};
 
 TEST_F(GuardedMotionTest, RefusesAStartThatIsNotWhereTheJointsAre) {
   JointTrajectory trajectory = motion(0.2, 1.0);
-  trajectory.points[0].positions[1] += 0.11;
+  trajectory.points[0].positions[1] += 0.031;
   expectRefused(trajectory, "elbow from the commanded start");
 }
 

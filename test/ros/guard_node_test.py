@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The guard alone, between generated commands and a generated driver."""
 
+import os
+import signal
 import unittest
 
 import rospy
@@ -12,8 +14,12 @@ from std_msgs.msg import Float64, String
 from std_srvs.srv import Trigger
 from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
-from guarded_driver import JOINTS, Driver
+from guarded_driver import JOINTS, PERIOD, Driver
+from node_killing import CALLER, api_of
 from node_testing import DEADLINE, Recorder, start_node, wait_until
+
+LISTENS = round(0.3 / PERIOD)  # wrenches: longer than four tenths of the max_lateness here
+HELD_UP = round(2.2 / PERIOD)  # wrenches, during which the guard is: its max_silence is 2 s here
 
 
 def motion(start=0.0):
@@ -182,6 +188,28 @@ class GuardNode(unittest.TestCase):
     def test_stamps_of_long_ago_are_a_fault_at_rest(self):
         self.driver.age = 5.0  # of both streams, in whichever order they are sent
         self.stopped_because("younger than")
+
+    def hold_up_the_guard(self):
+        """Longer than any stream may be silent; not again before it has listened for a while."""
+        _, _, guard = api_of("guard").getPid(CALLER)
+        self.driver_sends(LISTENS)
+        os.kill(guard, signal.SIGSTOP)
+        try:
+            self.driver_sends(HELD_UP)
+        finally:
+            os.kill(guard, signal.SIGCONT)
+
+    def driver_sends(self, wrenches):
+        until = self.driver.felt + wrenches
+        self.assertTrue(wait_until(lambda: self.driver.felt > until))
+
+    def test_that_the_guard_was_held_up_is_no_silence(self):
+        for _ in range(3):  # which stream it hears first is chance
+            self.hold_up_the_guard()
+            self.command.publish(motion(self.driver.position))
+            self.assertTrue(self.passed.wait_for(is_horizon), "no motion begins")
+            self.assertFalse([m.data for m in self.faults.messages() if m.data])
+            self.end_motion()
 
     def test_contact_observations_that_stay_out_are_a_fault_at_rest(self):
         self.driver.contacts = False

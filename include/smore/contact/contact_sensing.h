@@ -70,6 +70,9 @@ class ContactSensing {
   /// zeroed.
   void suspend();
 
+  /// Why the robot may not be without its sense now, as a tare leaves it; empty where it stands.
+  std::string motionObjection() const;
+
   /// Why a tare now would take something that touches for nothing, or leave a robot that moves
   /// without its sense; empty where it would not. A contact of no more than a residual does not
   /// count, nor one that is felt because the driver has just zeroed the sensor: the raw force is
@@ -115,8 +118,6 @@ class ContactSensing {
   ContactObservation observe(const WrenchSample& raw);
   void forgetBeforeSilence();
   void watchRest(const WrenchSample& raw);
-  /// Why the robot may not be without its sense now; empty where it stands.
-  std::string motionObjection() const;
   void takeResidual(const WrenchSample& raw, ContactState state);
   std::optional<LineOfAction> measureLine(const WrenchSample& raw, ContactState state);
   std::optional<LineOfAction> averagedLine(const Vec3& sensor_object);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,9 +25,8 @@ struct MotionGuardParameters {
   /// motion waits, and at which it is a fault [s].
   double max_lateness = 0.05;
   double max_silence = 0.2;
-  double start_tolerance = 0.1;  ///< of each joint, to where a motion starts [rad] or [m]
-  /// Of each joint, to where it should be in a motion [rad] or [m]; a joint that moves may be late
-  /// by a tenth of a second on top of it.
+  /// Of each joint, to where a motion starts, and to where it should be in it [rad] or [m]; a joint
+  /// that moves may be late by a tenth of a second on top of it.
   double path_tolerance = 0.03;
   /// After a fault is cleared under load, force and torque may rise above the least since then by
   /// this much [N], [N m]; sensor noise must be smaller.
@@ -88,7 +89,7 @@ class MotionGuard {
   }
 
   /// Who commanded the motion lives and wants it to go on.
-  void onSignOfLife(double now) { commander_ = now; }
+  void onSignOfLife(double now) { commander_ = std::max(commander_, now); }
 
   /// The motion of a commanded trajectory: its joints in the order of the robot's, from a point at
   /// time 0 on. Where the robot may not follow it, nothing: `fault` says why. A first point at time
@@ -142,6 +143,7 @@ class MotionGuard {
     void beat(double new_measured, double new_stamp);
   };
 
+  void settleWrench(double now);
   std::string silence(double now, double most) const;
   std::string unattended(double now, double most) const;
   std::string problemOf(const JointTrajectory& trajectory) const;
@@ -155,6 +157,10 @@ class MotionGuard {
   JointTrajectoryPoint state_;  ///< the last finite one, in the order of joint_names_
   Heartbeat wrench_beat_, joints_beat_, contact_beat_;
   double wrench_changed_ = 0.0;  ///< when it was last another than before
+  /// Stamps of the newest wrench at the last check, and at the one of a time before: the contact
+  /// observations may be handed over after wrenches that are newer.
+  std::optional<double> newest_wrench_, settled_wrench_;
+  double checked_ = std::numeric_limits<double>::lowest();  ///< when that last check was
   bool program_runs_ = true;
   std::string safety_stop_;  ///< of the robot itself; empty: none
   double commander_ = 0.0;   ///< when its last sign of life came

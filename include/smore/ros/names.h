@@ -47,6 +47,7 @@ constexpr char kInsertPrior[] = "insert_prior";
 constexpr char kTare[] = "tare";                         ///< in the listener's private namespace
 constexpr char kSuspend[] = "suspend";                   ///< there too
 constexpr char kIdentifyPayload[] = "identify_payload";  ///< there too
+constexpr char kForgetPayload[] = "forget_payload";      ///< there too
 constexpr char kGuardFault[] = "guard/fault";
 constexpr char kGuardStop[] = "guard/stop";
 constexpr char kGuardClear[] = "guard/clear";
