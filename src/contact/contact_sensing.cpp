@@ -133,6 +133,18 @@ std::string ContactSensing::payloadObjection(const IdentifiedPayload& found) con
   return reason.str();
 }
 
+std::string ContactSensing::graspObjection() const {
+  const Vec3 down = gravityIn(rest_pose_.value_or(Pose::Identity())).normalized();
+  const Vec3 mean = detector_.meanForce();
+  const double across = (mean - mean.dot(down) * down).norm();
+  if (across <= parameters_.detector.contact_force) return motionObjection();
+  std::ostringstream reason;
+  reason << "something presses with " << across
+         << " N across gravity, which is no weight, and would be taken for nothing from now on; "
+            "free the object on all sides, and ask again";
+  return reason.str();
+}
+
 std::string ContactSensing::tareObjection() const {
   const Vec3 mean = detector_.meanForce();
   const double harmless = parameters_.detector.residual_force;
@@ -141,7 +153,8 @@ std::string ContactSensing::tareObjection() const {
   std::ostringstream reason;
   reason << "something presses with " << mean.norm()
          << " N and would be taken for nothing from now on; move the object until nothing touches "
-            "it; if only its load has changed, zero the sensor at its driver first";
+            "it; if something else is held than before, call forget_payload; if only its load has "
+            "changed, zero the sensor at its driver first";
   return reason.str();
 }
 

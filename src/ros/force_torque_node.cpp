@@ -127,9 +127,11 @@ class ForceTorqueNode {
           const auto answer = request->ask(parameters_.tare_timeout);
           response.success = answer && answer->success;
           response.message =
-              answer ? answer->message
-                     : "nothing was taken within tare_timeout: check that wrenches and transforms "
-                       "arrive and that the robot stands still; the log says more";
+              answer
+                  ? answer->message
+                  : "no answer within tare_timeout: check that wrenches and transforms arrive and "
+                    "that the robot stands still; nothing is felt until a tare that has begun "
+                    "comes to its end; the log says more";
           return true;
         };
     return service_node_.advertiseService(name, callback);
@@ -138,7 +140,7 @@ class ForceTorqueNode {
   void process(const WrenchSample& sample, const ros::Time& stamp) {
     if (told_.events.empty()) note(Event::START, stamp);
     if (const auto kind = tares_.apply(sample.time, &sensing_)) noteBias(*kind, stamp);
-    if (payloads_.apply(&sensing_)) {
+    if (!tares_.suspended() && payloads_.apply(&sensing_)) {
       parameters_.sensing.payload = sensing_.payload();
       note(Event::PAYLOAD, stamp);
     }

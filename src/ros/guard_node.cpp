@@ -11,10 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "guard_limits.h"
 #include "guard_parameters.h"
 #include "smore/contact/contact_reflex.h"
+#include "smore/contact/hold_up_watch.h"
 #include "smore/contact/motion_guard.h"
 #include "smore/kinematics/joint_commands.h"
 #include "smore/kinematics/motion_stream.h"
@@ -30,12 +32,10 @@
 namespace smore {
 namespace {
 
-constexpr double kChecksPerLateness = 10.0;  // so it is seen at most a tenth late
-// A turn takes a period at most; one of so many means that this node was held up, and that it has
-// to listen as long before it knows what came meanwhile.
-constexpr double kPeriodsHeldUp = 4.0;
-constexpr double kAtRest = 1e-3;        // joints that stand are slower than this [rad/s]
-constexpr double kWarningPeriod = 5.0;  // [s] between warnings of one kind
+constexpr double kChecksPerLateness = 10.0;  // so it is seen a tenth late, unless held up
+constexpr double kPeriodsHeldUp = 4.0;       // a turn takes one period at most
+constexpr double kAtRest = 1e-3;             // joints that stand are slower than this [rad/s]
+constexpr double kWarningPeriod = 5.0;       // [s] between warnings of one kind
 // A robot that was told to stop when the node ends stands after this [s of wall time], or it does
 // not obey.
 constexpr double kLastStop = 0.3;
@@ -58,7 +58,8 @@ class GuardNode {
         deceleration_(parameters.horizon.deceleration),
         joint_names_(std::move(joint_names)),
         limits_(parameters.guard.limits),
-        period_(parameters.guard.max_lateness / kChecksPerLateness) {
+        period_(parameters.guard.max_lateness / kChecksPerLateness),
+        turns_(now(), kPeriodsHeldUp * period_.toSec()) {
     node_.setCallbackQueue(&queue_);
     private_node_.setCallbackQueue(&queue_);
     constexpr bool kLatched = true;
@@ -77,12 +78,12 @@ class GuardNode {
   void run() {
     while (!shutdown_.pending()) {
       hear();
-      if (stream_.active()) {
-        guard_.checkMotion(heard_, stream_.expected());
+      if (stream_.active() && turns_.upToDate(now())) {
+        guard_.checkMotion(turns_.heard(), stream_.expected());
         checkController();
         waitWhileLate();
       }
-      guard_.check(heard_);
+      guard_.check(turns_.heard());
       reactToFault();
       statuses_.publishIfDue();
     }
@@ -90,16 +91,13 @@ class GuardNode {
   }
 
  private:
-  /// Takes what has come. Silence is not that this node was held up: it hears one stream after the
-  /// other then, and judges as of before until it has listened for a while.
+  /// Takes what has come. A motion that was commanded begins when what came before it is known.
   void hear() {
-    const double begun = now();
-    const double long_turn = kPeriodsHeldUp * period_.toSec();
-    const bool held_up = begun - begun_ > long_turn;
-    if (held_up && begun_ >= judges_from_) judges_from_ = begun + long_turn;
-    begun_ = begun;
-    if (begun >= judges_from_) heard_ = begun;
+    turns_.onTurn(now());
     queue_.callAvailable(period_);
+    if (!commanded_ || !turns_.upToDate(now())) return;
+    begin(*commanded_);
+    commanded_.reset();
   }
 
   void subscribe() {
@@ -134,7 +132,7 @@ class GuardNode {
                     {stamp.toSec(), message.name, message.position, message.velocity});
     reactToFault();
     const auto joints = guard_.joints(now());
-    if (!stream_.active() || !joints) return;
+    if (!stream_.active() || !joints || !turns_.upToDate(now())) return;
     // What else has come may wait behind this message still: whether that is late is said later.
     const auto horizon = stream_.advance(joints->time, waits_ ? 0.0 : speed_.scaling());
     if (horizon) guarded_.publish(toMessage(*horizon));
@@ -142,7 +140,7 @@ class GuardNode {
 
   /// Brakes a motion that must wait. It stays as far as it has come, as in a pause of the robot.
   void waitWhileLate() {
-    const std::string lateness = guard_.lateness(heard_);
+    const std::string lateness = guard_.lateness(turns_.heard());
     if (!lateness.empty() && !waits_) {
       if (late_warning_.isDue()) ROS_WARN_STREAM("the motion waits: " << lateness);
       brakeNow();
@@ -169,26 +167,31 @@ class GuardNode {
 
   void onCommand(const trajectory_msgs::JointTrajectory& message) {
     if (message.points.empty()) return halt();
+    reflex_.onMotion();  // by what is known now: what touches from now on ends it
+    commanded_ = message;
+  }
+
+  void begin(const trajectory_msgs::JointTrajectory& message) {
     guard_.limitTo(limits_.now());
     checkController();
-    const auto motion = guard_.admit(heard_, fromMessage(message));
+    const auto motion = guard_.admit(turns_.heard(), fromMessage(message));
     reactToFault();
     if (!motion) {
       ROS_ERROR_STREAM("command refused: " << guard_.fault() << "; call '" << clear_.getService()
                                            << "' when the cause is gone");
       return;
     }
-    reflex_.onMotion();
     stream_.begin(*motion);
     waits_ = false;
   }
 
   void checkController() {
-    const std::string problem = controller_->problem(heard_);
+    const std::string problem = controller_->problem(turns_.heard());
     if (!problem.empty()) guard_.stop(problem);
   }
 
   void halt() {
+    commanded_.reset();
     brakeNow();
     stream_.end();
   }
@@ -227,7 +230,7 @@ class GuardNode {
   }
 
   bool onClear(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
-    guard_.clear(heard_);
+    guard_.clear(turns_.heard());
     reactToFault();
     response.success = guard_.fault().empty();
     response.message = response.success ? "cleared" : guard_.fault();
@@ -236,7 +239,7 @@ class GuardNode {
 
   GuardReport report() const {
     const MotionLimits& limits = guard_.limits();
-    return {guard_.fault(), guard_.lateness(heard_), stream_.active(), limits.max_force,
+    return {guard_.fault(), guard_.lateness(turns_.heard()), stream_.active(), limits.max_force,
             limits.max_torque};
   }
 
@@ -265,10 +268,9 @@ class GuardNode {
   std::vector<std::string> joint_names_;
   GuardLimits limits_;
   ros::WallDuration period_;  ///< between two checks for silence
-  double begun_ = now();      ///< the present turn [s]
-  double judges_from_ = 0.0;  ///< after this node was held up [s]
-  double heard_ = now();      ///< what had come by then was handed over [s]
-  bool waits_ = false;        ///< whether the motion waits, since what is known is late
+  HoldUpWatch turns_;         ///< silence is not that this node was held up
+  std::optional<trajectory_msgs::JointTrajectory> commanded_;  ///< and has not begun
+  bool waits_ = false;  ///< whether the motion waits, since what is known is late
   Throttle late_warning_{kWarningPeriod};
   ros::CallbackQueue queue_;
   SpeedListener speed_{&queue_};

@@ -25,11 +25,12 @@ bool PayloadRequests::identify(ContactSensing* sensing) {
 }
 
 bool PayloadRequests::forget(ContactSensing* sensing) {
-  const std::string problem = sensing->motionObjection();
+  const std::string problem = sensing->graspObjection();
   if (!problem.empty()) {
     forgetting_.finish({false, problem});
     return false;
   }
+  ROS_INFO("the payload is that of the parameters again, and anything beyond it that they allow");
   forgetPoses();
   sensing->setPayload(told_);
   return true;

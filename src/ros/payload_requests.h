@@ -24,9 +24,8 @@ class PayloadRequests {
   SensingRequest& forgetting() { return forgetting_; }
 
   /// Does what was asked for, before a sample is processed; whether the payload is another one now.
-  /// Refused while the robot moves, an identification as `identifyPayload` and
-  /// `ContactSensing::payloadObjection` have it. A weight that feels like a contact is no reason
-  /// not to forget what it was.
+  /// Refused as `identifyPayload`, `ContactSensing::payloadObjection` and `graspObjection` have it:
+  /// a weight that feels like a contact is no reason not to forget what it was.
   bool apply(ContactSensing* sensing);
 
   /// Learns where the robot stands from a sample that was processed.

@@ -23,6 +23,9 @@ class TareRequests {
   /// smore/SensingEvent that it was, if any. Both are refused while something presses.
   std::optional<std::uint8_t> apply(double time, ContactSensing* sensing);
 
+  /// Whether nothing is claimed because the sensor is about to be zeroed.
+  bool suspended() const { return suspended_until_.has_value(); }
+
   /// Whether a tare was asked for that has not begun.
   bool tareWaits() const { return asked_at_.has_value(); }
 

@@ -59,10 +59,10 @@ class Payload(unittest.TestCase):
         self.assertIsNotNone(answer)
         return answer.state
 
-    def call(self, name, axis, angle, mass=MASS, press=0.0):
-        """The service's reply while the robot stands at a tilt, and something presses from below [N]."""
+    def call(self, name, axis, angle, mass=MASS, press=(0.0, 0.0, 0.0)):
+        """The service's reply while the robot stands at a tilt, and something presses [N]."""
         sample = tilted(axis, angle, mass)
-        sample["force"] = (*sample["force"][:2], sample["force"][2] + press)
+        sample["force"] = tuple(f + p for f, p in zip(sample["force"], press))
         self.source.send_for(0.1, **sample)
         replies = []
         service = rospy.ServiceProxy("force_torque/" + name, Trigger)
@@ -86,7 +86,7 @@ class Payload(unittest.TestCase):
         self.assertIn("poses", refused.message)
         self.assertNotIn(free, self.tilt())
 
-        pressed = self.call("identify_payload", 1, -TILT, press=20.0)
+        pressed = self.call("identify_payload", 1, -TILT, press=(0.0, 0.0, 20.0))
         self.assertFalse(pressed.success)
         self.assertIn("presses with", pressed.message)
         reply = self.call("identify_payload", 1, -TILT)
@@ -103,6 +103,10 @@ class Payload(unittest.TestCase):
     def another_object_is_gripped(self):
         self.assertEqual(self.stand(0, 0.0, OTHER_MASS), ContactObservation.CONTACT)
         self.assertFalse(self.call("tare", 0, 0.0, OTHER_MASS).success, "it might be a touch")
+        jammed = self.call("forget_payload", 0, 0.0, OTHER_MASS, press=(20.0, 0.0, 0.0))
+        self.assertFalse(jammed.success)
+        self.assertIn("across gravity", jammed.message)
+        self.assertEqual(self.stand(0, 0.0, OTHER_MASS), ContactObservation.CONTACT)
         forgotten = self.call("forget_payload", 0, 0.0, OTHER_MASS)
         self.assertTrue(forgotten.success, forgotten.message)
         self.assertEqual(self.stand(0, 0.0, OTHER_MASS), ContactObservation.FREE)

@@ -70,9 +70,6 @@ class ContactSensing {
   /// zeroed.
   void suspend();
 
-  /// Why the robot may not be without its sense now, as a tare leaves it; empty where it stands.
-  std::string motionObjection() const;
-
   /// Why a tare now would take something that touches for nothing, or leave a robot that moves
   /// without its sense; empty where it would not. A contact of no more than a residual does not
   /// count, nor one that is felt because the driver has just zeroed the sensor: the raw force is
@@ -82,6 +79,10 @@ class ContactSensing {
   /// The same of the tare that comes with a payload that was found just now: what weight and bias
   /// do not explain of the present force presses.
   std::string payloadObjection(const IdentifiedPayload& found) const;
+
+  /// The same of the tare that comes with another grasp, whose weight is not known: only what is
+  /// felt across gravity presses for sure.
+  std::string graspObjection() const;
 
   /// What the last processed sample let go into the bias because the gripper keeps it after a
   /// touch; nothing where it did not.
@@ -118,6 +119,8 @@ class ContactSensing {
   ContactObservation observe(const WrenchSample& raw);
   void forgetBeforeSilence();
   void watchRest(const WrenchSample& raw);
+  /// Why the robot may not be without its sense now; empty where it stands.
+  std::string motionObjection() const;
   void takeResidual(const WrenchSample& raw, ContactState state);
   std::optional<LineOfAction> measureLine(const WrenchSample& raw, ContactState state);
   std::optional<LineOfAction> averagedLine(const Vec3& sensor_object);

@@ -18,13 +18,15 @@ class SensingRequest {
     std::string message;
   };
 
-  /// Asks and waits; nothing if there is no answer within `timeout` [s].
+  /// Asks and waits; nothing if there is no answer within `timeout` [s]: what was not taken by then
+  /// is not asked any more.
   std::optional<Answer> ask(double timeout) {
     std::unique_lock<std::mutex> lock(mutex_);
     asked_ = true;
     answer_.reset();
     changed_.wait_for(lock, std::chrono::duration<double>(timeout),
                       [&] { return answer_.has_value(); });
+    if (!answer_) asked_ = false;
     return answer_;
   }
 
