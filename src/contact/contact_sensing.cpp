@@ -19,6 +19,14 @@ constexpr double kResidualMean = 0.4;
 constexpr double kMoved = 1e-3;
 constexpr double kRest = 0.1;
 
+// Why no tare begins under a load [N].
+std::string pressing(double force, const std::string& remedy) {
+  std::ostringstream reason;
+  reason << "something presses with " << force
+         << " N, and would be taken for nothing from now on: " << remedy;
+  return reason.str();
+}
+
 // Two unit vectors that make a right-handed frame with `axis`.
 std::pair<Vec3, Vec3> perpendiculars(const Vec3& axis) {
   const Vec3 first = axis.unitOrthogonal();
@@ -126,11 +134,7 @@ std::string ContactSensing::payloadObjection(const IdentifiedPayload& found) con
                         found.payload.mass * gravityIn(rest_pose_.value_or(Pose::Identity()));
   const double force = (detector_.meanForce() + taken_off_ - expected).norm();
   if (force <= parameters_.detector.contact_force) return motionObjection();
-  std::ostringstream reason;
-  reason << "something presses with " << force
-         << " N beyond the weight, and would be taken for nothing from now on; free the object on "
-            "all sides, and ask again";
-  return reason.str();
+  return pressing(force, "it is not the weight; free the object on all sides, and ask again");
 }
 
 std::string ContactSensing::graspObjection() const {
@@ -138,11 +142,9 @@ std::string ContactSensing::graspObjection() const {
   const Vec3 mean = detector_.meanForce();
   const double across = (mean - mean.dot(down) * down).norm();
   if (across <= parameters_.detector.contact_force) return motionObjection();
-  std::ostringstream reason;
-  reason << "something presses with " << across
-         << " N across gravity, which is no weight, and would be taken for nothing from now on; "
-            "free the object on all sides, and ask again";
-  return reason.str();
+  return pressing(across,
+                  "it is across gravity, and no weight; free the object on all sides, and "
+                  "ask again");
 }
 
 std::string ContactSensing::tareObjection() const {
@@ -150,12 +152,10 @@ std::string ContactSensing::tareObjection() const {
   const double harmless = parameters_.detector.residual_force;
   const bool zeroed = (mean + taken_off_).norm() <= harmless;
   if (!detector_.inContact() || mean.norm() <= harmless || zeroed) return motionObjection();
-  std::ostringstream reason;
-  reason << "something presses with " << mean.norm()
-         << " N and would be taken for nothing from now on; move the object until nothing touches "
-            "it; if something else is held than before, call forget_payload; if only its load has "
-            "changed, zero the sensor at its driver first";
-  return reason.str();
+  return pressing(mean.norm(),
+                  "move the object until nothing touches it; if another one is held "
+                  "than before, have the payload forgotten; if only its load has "
+                  "changed, zero the sensor at its driver first");
 }
 
 void ContactSensing::startTare() {

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "guard_limits.h"
 #include "guard_parameters.h"
@@ -33,7 +34,7 @@ namespace smore {
 namespace {
 
 constexpr double kChecksPerLateness = 10.0;  // so it is seen a tenth late, unless held up
-constexpr double kPeriodsHeldUp = 4.0;       // a turn takes one period at most
+constexpr double kPeriodsHeldUp = 4.0;       // in one turn, which takes one at most
 constexpr double kAtRest = 1e-3;             // joints that stand are slower than this [rad/s]
 constexpr double kWarningPeriod = 5.0;       // [s] between warnings of one kind
 // A robot that was told to stop when the node ends stands after this [s of wall time], or it does
@@ -77,7 +78,9 @@ class GuardNode {
 
   void run() {
     while (!shutdown_.pending()) {
-      hear();
+      turns_.onTurn(now());
+      queue_.callAvailable(period_);
+      beginCommanded();
       if (stream_.active() && turns_.upToDate(now())) {
         guard_.checkMotion(turns_.heard(), stream_.expected());
         checkController();
@@ -91,15 +94,6 @@ class GuardNode {
   }
 
  private:
-  /// Takes what has come. A motion that was commanded begins when what came before it is known.
-  void hear() {
-    turns_.onTurn(now());
-    queue_.callAvailable(period_);
-    if (!commanded_ || !turns_.upToDate(now())) return;
-    begin(*commanded_);
-    commanded_.reset();
-  }
-
   void subscribe() {
     const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
     wrench_ =
@@ -171,10 +165,13 @@ class GuardNode {
     commanded_ = message;
   }
 
-  void begin(const trajectory_msgs::JointTrajectory& message) {
+  /// A motion begins when what came before its command is known.
+  void beginCommanded() {
+    if (!commanded_ || !turns_.upToDate(now())) return;
+    const auto message = std::exchange(commanded_, std::nullopt);
     guard_.limitTo(limits_.now());
     checkController();
-    const auto motion = guard_.admit(turns_.heard(), fromMessage(message));
+    const auto motion = guard_.admit(turns_.heard(), fromMessage(*message));
     reactToFault();
     if (!motion) {
       ROS_ERROR_STREAM("command refused: " << guard_.fault() << "; call '" << clear_.getService()

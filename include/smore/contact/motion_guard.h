@@ -157,10 +157,11 @@ class MotionGuard {
   JointTrajectoryPoint state_;  ///< the last finite one, in the order of joint_names_
   Heartbeat wrench_beat_, joints_beat_, contact_beat_;
   double wrench_changed_ = 0.0;  ///< when it was last another than before
-  /// Stamps of the newest wrench at the last check, and at the one of a time before: the contact
-  /// observations may be handed over after wrenches that are newer.
+  /// Stamps of the newest wrench by the last check, and by the one before it, checks of one time
+  /// counting once: a contact observation is compared with the latter, as it may be handed over
+  /// after wrenches that came with it.
   std::optional<double> newest_wrench_, settled_wrench_;
-  double checked_ = std::numeric_limits<double>::lowest();  ///< when that last check was
+  double checked_ = std::numeric_limits<double>::lowest();  ///< the time of the last check
   bool program_runs_ = true;
   std::string safety_stop_;  ///< of the robot itself; empty: none
   double commander_ = 0.0;   ///< when its last sign of life came
