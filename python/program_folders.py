@@ -7,6 +7,6 @@ HERE = pathlib.Path(__file__).resolve().parent
 # Where the source tree is built, beside an installed share/smore/python, in the catkin workspaces that are sourced.
 PROGRAM_FOLDERS = (
     HERE.parent / "build/devel/lib/smore",
-    HERE.parents[2] / "lib/smore",
+    HERE.parent.parent.parent / "lib/smore",
     *(pathlib.Path(space, "lib/smore") for space in os.environ.get("CMAKE_PREFIX_PATH", "").split(os.pathsep) if space),
 )

@@ -3,7 +3,9 @@
 """Prints folders of result files of smore_experiment as one table in Markdown: a row for each folder, a
 column for each scene, mean collisions and, where not all trials reached the goal, how many did.
 
-    table_of_ablation.py DIRECTORY [DIRECTORY ...]
+    table_of_ablation.py DIRECTORY [DIRECTORY ...] -- RESULT [RESULT ...]
+
+Each folder holds result files of these names.
 """
 import json
 import pathlib
@@ -17,15 +19,16 @@ def cell(result):
     return text if reached == count else f"{text} ({reached} of {count})"
 
 
-def read(directory):
-    results = [json.loads(file.read_text()) for file in sorted(pathlib.Path(directory).glob("*.json"))]
+def read(directory, names):
+    results = [json.loads(pathlib.Path(directory, name).read_text()) for name in names]
     return {result["scenario"]: cell(result) for result in results}
 
 
 def main():
-    if len(sys.argv) < 2:
-        sys.exit("usage: table_of_ablation.py DIRECTORY [DIRECTORY ...]")
-    rows = {pathlib.Path(name).name: read(name) for name in sys.argv[1:]}
+    if "--" not in sys.argv[2:-1]:
+        sys.exit("usage: table_of_ablation.py DIRECTORY [DIRECTORY ...] -- RESULT [RESULT ...]")
+    end = sys.argv.index("--")
+    rows = {pathlib.Path(name).name: read(name, sys.argv[end + 1:]) for name in sys.argv[1:end]}
     scenes = list(next(iter(rows.values())))
     print("| without | " + " | ".join(scenes) + " |")
     print("|" + "---|" * (len(scenes) + 1))

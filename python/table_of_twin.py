@@ -17,6 +17,9 @@ def read(directory):
     summary = directory / "summary.json"
     trial = json.loads(summary.read_text()) if summary.exists() else dict(NO_SUMMARY)
     trial["name"] = directory.name
+    limit = directory / "time_limit"  # which ends a retrieval as its user would
+    if limit.exists():
+        trial["reason"] = limit.read_text().strip()
     trial["peak_force"] = json.loads((directory / "peak_force.json").read_text())["peak_force"]
     log = (directory / "launch.log").read_text(errors="replace")
     trial["waits"] = log.count("the motion waits")

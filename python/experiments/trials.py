@@ -2,7 +2,6 @@
 """Trials of smore_experiment, side by side, each kept as one line as soon as it is finished."""
 import concurrent.futures
 import dataclasses
-import hashlib
 import json
 import pathlib
 import re
@@ -13,6 +12,7 @@ import time
 
 from experiments import workers
 from program_fingerprint import fingerprint
+from scene_fingerprint import scene_fingerprint
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build/devel/lib/smore/smore_experiment"
@@ -42,11 +42,8 @@ class Trial:
     def settings(self, directory, build):
         """All that its result depends on: equal wherever `directory` lies, and another one when a scene, a file of
         parameters or the program, whose fingerprint is `build`, has changed."""
-        scene = ROOT / f"config/scenarios/{self.scenario}.yaml"
-        files = [scene if scene.exists() else self.scenario, *self.options]
-        contents = [hashlib.sha1(path.read_bytes()).hexdigest() for path in map(pathlib.Path, files) if path.is_file()]
         told = json.dumps(dataclasses.asdict(self), ensure_ascii=False).replace(str(directory), "DIR")
-        return {**json.loads(told), "contents": contents, "program": build}
+        return {**json.loads(told), "contents": scene_fingerprint(self.scenario, self.options), "program": build}
 
     def evidence(self):
         """The file that it records, or None."""
@@ -144,6 +141,15 @@ class Progress:
         print(f"\r[{bar}] {self.done} of {self.count} trials{left}", end=end, file=sys.stderr)
 
 
+def why_not(done, output):
+    """Why a trial has no result: a trial that broke off says so in its output, all else is the program's last word."""
+    try:
+        return json.loads(output.read_text())["trials"][0]["reason"]
+    except (OSError, ValueError, LookupError):
+        said = done.stderr.strip().splitlines()
+        return said[-1] if said else f"exit code {done.returncode}"
+
+
 def run_one(trial):
     """The result of a trial. Its evidence is there when it is whole: of a machine that is lost another one repeats the
     trial, while the first may still be writing."""
@@ -155,8 +161,7 @@ def run_one(trial):
         command = [folder if evidence and word == str(evidence.parent) else word for word in trial.command(output)]
         done = subprocess.run(command, stderr=subprocess.PIPE, text=True)
         if done.returncode != 0:
-            said = done.stderr.strip().splitlines()
-            raise TrialError(f"{trial.name}: {said[-1] if said else f'exit code {done.returncode}'}")
+            raise TrialError(f"{trial.name}: {why_not(done, output)}")
         if evidence:
             (pathlib.Path(folder) / evidence.name).replace(evidence)
         return json.loads(output.read_text())["trials"][0]

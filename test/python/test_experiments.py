@@ -31,6 +31,9 @@ arguments = dict(zip(sys.argv[1:], sys.argv[2:] + [""]))
 open(sys.argv[0] + ".calls", "a").write(arguments["--seed"] + "\\n")
 if arguments["--seed"] == "13":
     sys.exit("no thirteenth trial")
+if arguments["--seed"] == "11":
+    open(arguments["--output"], "w").write(json.dumps({"trials": [{"broken": True, "reason": "the eleventh broke"}]}))
+    sys.exit("1 of 1 trials broke off; their reasons stand in the results")
 seed = int(arguments["--seed"])
 motions = [{"risk": 0.9, "touched": True}] * (seed % 5) + [{"risk": 0.4, "touched": False}]
 trial = {"seed": seed, "success": seed % 7 != 0, "collisions": seed % 5, "motions": motions}
@@ -131,6 +134,14 @@ class ExperimentsTest(unittest.TestCase):
             run([Trial("t", str(scene), 1)], self.folder, 1)
         self.assertEqual(self.seeds_called(), [1, 1])
 
+    def test_a_trial_of_a_mesh_that_has_changed_is_another(self):
+        scene, mesh = self.folder / "scene.yaml", self.folder / "part.stl"
+        scene.write_text("object: {shapes: [{type: mesh, file: part.stl}]}")
+        for text in ("solid a", "solid a", "solid b"):
+            mesh.write_text(text)
+            run([Trial("t", str(scene), 1)], self.folder, 1)
+        self.assertEqual(self.seeds_called(), [1, 1])
+
     def test_a_trial_of_another_program_is_another(self):
         for text in (PROGRAM, PROGRAM, PROGRAM + "# another build\n"):
             trials.PROGRAM.write_text(text)
@@ -175,6 +186,10 @@ class ExperimentsTest(unittest.TestCase):
         with self.assertRaisesRegex(TrialError, "t13.*no thirteenth trial"):
             run(some, self.folder, 1)
         self.assertEqual(set(Store(self.folder).finished), {"t12", "t14"})
+
+    def test_a_trial_that_broke_off_says_why(self):
+        with self.assertRaisesRegex(TrialError, "t11.*the eleventh broke"):
+            run([Trial("t11", "scene", 11)], self.folder, 1)
 
     def test_what_was_found_when_it_is_interrupted_is_kept_and_the_rest_not_begun(self):
         def interrupt(_progress):
