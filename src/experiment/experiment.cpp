@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/experiment/experiment.h"
 
+#include <algorithm>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -23,8 +24,10 @@ RetrievalOutcome runTask(const Scenario& scenario, const ExperimentParameters& p
                          Robot* robot, const Method& method, const std::atomic<bool>& interrupted,
                          const Retrieval::ProgressCallback& on_progress, MotionObserver* motions) {
   if (scenario.task == Task::kReconstruct) {
+    ReconstructionParameters reconstruction = reconstructionParameters(scenario);
+    reconstruction.touches = std::min(reconstruction.touches, parameters.max_collisions);
     return reconstruct(
-        reconstructionParameters(scenario), robot, method.touches.get(), on_progress,
+        reconstruction, robot, method.touches.get(), on_progress,
         [&interrupted] { return interrupted.load(); }, motions);
   }
   RetrievalParameters retrieval_parameters = retrievalParameters(scenario);

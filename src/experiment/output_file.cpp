@@ -15,8 +15,10 @@ std::string problemOfFile(const std::string& file, const std::vector<std::string
     if (!std::filesystem::equivalent(file, input, none)) continue;
     return file + ": is read as well, and would be written over; give another name";
   }
+  std::error_code none;  // what cannot be made shows below
+  std::filesystem::create_directories(std::filesystem::path(file).parent_path(), none);
   if (std::ofstream(file, std::ios::app)) return "";
-  return file + ": cannot be written; check that its directory is there, and its permissions";
+  return file + ": cannot be written; check its directory and its permissions";
 }
 
 }  // namespace smore

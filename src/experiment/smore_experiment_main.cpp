@@ -89,12 +89,13 @@ bool writeFile(const std::string& json, const std::string& file) {
   return stream.good();
 }
 
-// An output that cannot be written must be known before hours of trials, not after.
-bool canWriteOutputs(const Arguments& arguments) {
+// An output that cannot be written must be known before hours of trials, not after; `scenario` is
+// the file that was found.
+bool canWriteOutputs(const Arguments& arguments, const std::string& scenario) {
   std::string problem;
   if (!arguments.output.empty()) {
-    problem = smore::problemOfFile(
-        arguments.output, {arguments.scenario, arguments.method_parameters, arguments.touch_poses});
+    problem = smore::problemOfFile(arguments.output,
+                                   {scenario, arguments.method_parameters, arguments.touch_poses});
   }
   for (const std::string& directory :
        {arguments.parameters.maps_directory, arguments.parameters.record_directory}) {
@@ -159,8 +160,6 @@ int run(Arguments arguments) {
     smore::checkTakesParameters(arguments.parameters.method);
   }
   checkTouches(arguments);
-  std::signal(SIGINT, onInterrupt);
-  std::signal(SIGTERM, onInterrupt);
   const std::string file =
       smore::findScenario(arguments.scenario, smore::shippedScenarioDirectory());
   const smore::Scenario scenario = smore::loadScenario(file);
@@ -177,6 +176,7 @@ int run(Arguments arguments) {
     (void)smore::makeSimulatedRobot(scenario, arguments.parameters.seed);  // refuses what cannot be
   }
   smore::checkPriors(arguments.parameters.method, smore::makePriors(scenario));
+  if (!canWriteOutputs(arguments, file)) return smore::kInternalError;
   if (arguments.validate) {
     const bool told =
         arguments.output.empty() || writeFile(smore::toJson(scenario), arguments.output);
@@ -186,7 +186,9 @@ int run(Arguments arguments) {
               << decompositions(scenario) << std::endl;
     return told ? 0 : smore::kInternalError;
   }
-  if (!canWriteOutputs(arguments)) return smore::kInternalError;
+  // From here on there are trials to be finished and written; before, a signal ends the program.
+  std::signal(SIGINT, onInterrupt);
+  std::signal(SIGTERM, onInterrupt);
   smore::ProgressDisplay display(&std::cerr, isatty(STDERR_FILENO) != 0,
                                  arguments.parameters.trials);
   const auto trials =

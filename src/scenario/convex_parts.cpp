@@ -8,8 +8,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 
+#include "smore/common/result.h"
 #include "smore/scenario/solid_distance.h"
 #include "triangle_tree.h"
 
@@ -169,6 +171,12 @@ double errorOf(const MeshShape& mesh) {
 // the mesh, its triangles are made smaller, and the best parts are taken.
 void decompose(MeshShape* mesh) {
   MeshShape cut = coarsened(*mesh);
+  if (cut.triangles.empty()) {
+    throw InputError(mesh->file + ": is too thin for its " +
+                     std::to_string(mesh->triangles.size()) +
+                     " triangles, of which none is left where they are made fewer; give it with " +
+                     std::to_string(kMaxTriangles) + " at most");
+  }
   mesh->parts = partsOf(cut);
   mesh->parts_error = errorOf(*mesh);
   const double good = kGoodError * sizeOf(*mesh);

@@ -32,6 +32,7 @@ expect 2 "one of: c_on_peg, chair" --scenario nowhere
 expect 0 "/one_peg.yaml: valid" --scenario one_peg --validate
 cp "$scenarios/one_peg.yaml" "$directory/own.yaml"
 expect 1 "is read as well" --scenario "$directory/own.yaml" --output "$directory/own.yaml"
+expect 1 "is read as well" --scenario "$directory/own.yaml" --validate --output "$directory/own.yaml"
 cmp -s "$scenarios/one_peg.yaml" "$directory/own.yaml" || { echo "the scenario was written over"; failures=1; }
 expect 1 "the name of recorded evidence" --scenario one_peg --output "$directory/seed_1.evidence"
 sed 's/voxel_size: 0.03/voxel_size: -1/; s/task:/tusk:/' "$reference" >"$directory/bad.yaml"
@@ -52,7 +53,7 @@ printf 'motions:\n- poses: [{position: [9, 0, 0]}]\n- {poses: []}\n' >"$director
 expect 2 "is outside of the workspace" --scenario chair --touch-poses "$directory/touches.yaml"
 expect 2 "poses" --scenario chair --touch-poses "$directory/touches.yaml"
 expect 2 "give one of them" --scenario chair --random-touches --touch-poses "$directory/touches.yaml"
-expect 1 "cannot be written" --scenario "$reference" --output /nowhere/result.json
+expect 1 "cannot be written" --scenario "$reference" --output /proc/nowhere/result.json
 expect 1 "/proc/evidence: cannot be made" --scenario "$reference" --record /proc/evidence
 expect 1 "result.json: cannot be made" --scenario "$reference" \
   --record "$directory/bad.yaml/result.json"
@@ -64,7 +65,7 @@ if ! grep -q '"collisions": 1,' "$directory/out"; then
   failures=$((failures + 1))
 fi
 expect 0 "limit of 2 collisions" --scenario "$reference" --method paper --max-collisions 2 \
-  --output "$directory/result.json" --maps "$directory/maps" --record "$directory/new/record"
+  --output "$directory/made/result.json" --maps "$directory/maps" --record "$directory/new/record"
 
 program=$2
 evidence=$directory/new/record/seed_1.evidence
@@ -104,7 +105,7 @@ program=$3
 expect 2 "evidence is required"
 expect 2 "/nowhere: cannot be read" /nowhere
 expect 2 "not a record" "$reference"
-expect 1 "cannot be written" --output /nowhere/scores.json "$evidence"
+expect 1 "cannot be written" --output /proc/nowhere/scores.json "$evidence"
 expect 2 "belief.radios: unknown key" --parameters "$directory/parameters.yaml" "$evidence"
 grep -v '"truth"' "$evidence" >"$directory/live.evidence"
 expect 2 "holds no true solids" "$directory/live.evidence"

@@ -88,6 +88,43 @@ TEST_F(ConvexParts, ofMirroredBarsAreTheBarsToo) {
 
 TEST_F(ConvexParts, aConvexMeshHasNone) { EXPECT_TRUE(object(cubeObj()).parts.empty()); }
 
+// A rod that is 400 times as long as thick, bent a little so that its hull does not serve, of more
+// triangles than are cut: where they are made fewer, corners of one cross-section become one.
+TEST_F(ConvexParts, ofAFineThreadAreRefusedWithARemedy) {
+  constexpr int kSides = 24;
+  constexpr int kRings = 60;
+  std::ostringstream text;
+  text.precision(17);
+  for (int ring = 0; ring < kRings; ++ring) {
+    const double along = static_cast<double>(ring) / (kRings - 1);
+    const double bend = 2e-4 * std::sin(M_PI * along);
+    for (int side = 0; side < kSides; ++side) {
+      const double angle = 2.0 * M_PI * side / kSides;
+      text << "v " << 0.0005 * std::cos(angle) + bend << " " << 0.0005 * std::sin(angle) << " "
+           << 0.4 * along << "\n";
+    }
+  }
+  for (int ring = 0; ring + 1 < kRings; ++ring) {
+    for (int side = 0; side < kSides; ++side) {
+      const int a = ring * kSides + side + 1;
+      const int b = ring * kSides + (side + 1) % kSides + 1;
+      text << "f " << a << " " << b << " " << b + kSides << " " << a + kSides << "\n";
+    }
+  }
+  text << "f";
+  for (int side = kSides; side > 0; --side) text << " " << side;
+  text << "\nf";
+  for (int side = 1; side <= kSides; ++side) text << " " << (kRings - 1) * kSides + side;
+  text << "\n";
+  try {
+    object(text.str());
+    FAIL() << "taken";
+  } catch (const InputError& problem) {
+    EXPECT_NE(std::string(problem.what()).find("give it with 2000 at most"), std::string::npos)
+        << problem.what();
+  }
+}
+
 // A hollow ball with an opening: 9,000 triangles, made coarser before they are cut.
 TEST_F(ConvexParts, ofAFineBowlAreNearItAndQuick) {
   MeshShape bowl = tessellate({SphereShape{0.1}, Pose::Identity()});

@@ -6,9 +6,10 @@
 
 namespace smore {
 
-/// What is wrong with a file that will be written, for the user; empty if nothing is. It is made
-/// where it is missing. What it holds stays. Recorded evidence and the files in `inputs` (names of
-/// none, too) are not written over. Asked before hours of work, not after.
+/// What is wrong with a file that will be written, for the user; empty if nothing is. It and
+/// its directory are made where they are missing. What it holds stays. Recorded evidence and the
+/// files in `inputs` (names of none, too) are not written over. Asked before hours of work, not
+/// after.
 std::string problemOfFile(const std::string& file, const std::vector<std::string>& inputs = {});
 
 }  // namespace smore
