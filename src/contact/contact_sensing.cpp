@@ -15,9 +15,10 @@ namespace {
 // waits for free space longer than both take.
 constexpr double kResidualMean = 0.4;
 
-// A pose changed by more within so long is motion [m + rad], [s]; as where payloads are found.
-constexpr double kMoved = 1e-3;
-constexpr double kRest = 0.1;
+// A pose changed by more within so long is motion [m + rad], [s]: so slow motions as of a first run
+// are, and the noise of an arm's joints at rest is not.
+constexpr double kMoved = 5e-4;
+constexpr double kRest = 0.5;
 
 // Why no tare begins under a load [N].
 std::string pressing(double force, const std::string& remedy) {
@@ -88,6 +89,7 @@ ContactObservation ContactSensing::observe(const WrenchSample& raw) {
   observation.T_world_object = raw.T_world_object;
   residual_.reset();
   ended_without_line_ = false;
+  observation.contact_id = detector_.contactCount();
   if (!compensator_.tared()) return observation;
 
   const double unknown = compensator_.unknownWeight(raw.T_world_object);
@@ -156,6 +158,10 @@ std::string ContactSensing::tareObjection() const {
                   "move the object until nothing touches it; if another one is held "
                   "than before, have the payload forgotten; if only its load has "
                   "changed, zero the sensor at its driver first");
+}
+
+std::string ContactSensing::zeroingObjection() const {
+  return tareObjection().empty() ? "" : graspObjection();
 }
 
 void ContactSensing::startTare() {

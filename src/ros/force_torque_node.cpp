@@ -100,8 +100,9 @@ class ForceTorqueNode {
     if (record_) record_->add(names::kTf, message);
     intake_.onTransforms(message);
   }
-  void onStaticTransforms(const tf2_msgs::TFMessage& message) {
-    if (record_) record_->add(names::kTfStatic, message);
+  void onStaticTransforms(const ros::MessageEvent<const tf2_msgs::TFMessage>& event) {
+    const tf2_msgs::TFMessage& message = *event.getConstMessage();
+    if (record_) record_->add(names::kTfStatic, message, event.getConnectionHeaderPtr());
     intake_.onStaticTransforms(message);
   }
 
@@ -109,7 +110,7 @@ class ForceTorqueNode {
   void note(std::uint8_t kind, const ros::Time& stamp) {
     told_.events.push_back(sensingEvent(kind, stamp, sensing_.payload()));
     events_.publish(told_);
-    if (record_) record_->add(events_.getTopic(), told_);
+    if (record_) record_->add(events_.getTopic(), told_, latchingHeaderOf(told_));
   }
 
   /// After time went back.

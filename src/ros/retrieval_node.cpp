@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
 #include <mutex>
 
 #include "retrieval_node_parameters.h"
@@ -128,6 +129,7 @@ class RetrievalNode {
     summary.method = methodName(parameters_.method);
     summary.wall_s = (ros::WallTime::now() - begin).toSec();
     summary.cancelled = !outcome.success && robot_.stopRequested();
+    robot_.endGoal(outcome.success);
     const bool backs_off = summary.cancelled && mayBackOff();
     if (!outcome.success && !backs_off && robot_.canBackOff()) outcome.reason += kStillPresses;
     // Who cancels waits for the answer, not for the way back or the maps.
@@ -170,7 +172,8 @@ class RetrievalNode {
     outcome.reason = beforeMotion(parameters);
     if (robot_.stopRequested()) outcome.reason = "stopped by the user";
     if (!outcome.reason.empty()) return outcome;
-    return scenario_.task == Task::kReconstruct ? touch() : retrieve(parameters);
+    return scenario_.task == Task::kReconstruct ? touch(parameters.max_collisions)
+                                                : retrieve(parameters);
   }
 
   /// What hinders a retrieval to begin; empty where nothing does. The weight is found by motions
@@ -219,10 +222,11 @@ class RetrievalNode {
     return retrieval.run();
   }
 
-  RetrievalOutcome touch() {
+  RetrievalOutcome touch(int most_touches) {
     RemoteTouchPlanner touches(parameters_.frames.world, &robot_);
     ReconstructionParameters parameters = reconstructionParameters(scenario_);
     parameters.retreat_distance = parameters_.retreat_distance;
+    parameters.touches = std::min(parameters.touches, most_touches);
     return reconstruct(
         parameters, &robot_, &touches, [this](const auto& progress) { show(progress); },
         [this] { return robot_.stopRequested(); });
@@ -231,12 +235,7 @@ class RetrievalNode {
   void show(const RetrievalProgress& progress) {
     ROS_INFO("%s: %d contacts, %d plans, risk %.2f", phaseName(progress.phase), progress.collisions,
              progress.plans, progress.risk);
-    smore_msgs::RetrieveFeedback feedback;
-    feedback.phase = phaseName(progress.phase);
-    feedback.collisions = progress.collisions;
-    feedback.plans = progress.plans;
-    feedback.risk = progress.risk;
-    server_.publishFeedback(feedback);
+    server_.publishFeedback(toMessage(progress));
   }
 
   void report(const RetrievalSummary& summary) {

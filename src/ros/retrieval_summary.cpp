@@ -18,6 +18,15 @@ nlohmann::json poseJson(const Pose& pose) {
 
 }  // namespace
 
+smore_msgs::RetrieveFeedback toMessage(const RetrievalProgress& progress) {
+  smore_msgs::RetrieveFeedback feedback;
+  feedback.phase = phaseName(progress.phase);
+  feedback.collisions = progress.collisions;
+  feedback.plans = progress.plans;
+  feedback.risk = progress.risk;
+  return feedback;
+}
+
 smore_msgs::RetrieveResult toMessage(const RetrievalOutcome& outcome) {
   smore_msgs::RetrieveResult result;
   result.success = static_cast<unsigned char>(outcome.success);

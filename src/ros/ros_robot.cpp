@@ -46,9 +46,9 @@ RosRobot::RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCo
       [this](const smore_msgs::ContactObservation& message) {
         const Result<ContactObservation> observation = fromMessage(message);
         if (!observation) return;
-        fault_place_.observe(observation->T_world_object, !guard_.fault().empty());
-        if (observation->state == ContactState::kContact) pressed_ = true;
-        if (observation->state == ContactState::kFree) pressed_ = false;
+        press_.observe(observation->time, observation->state);
+        fault_place_.observe(
+            {observation->time, observation->T_world_object, faulted(), press_.presses()});
         stream_.push(*observation);
       };
   contact_ = node_.subscribe<smore_msgs::ContactObservation>(
@@ -78,6 +78,8 @@ void RosRobot::send(const JointTrajectory& trajectory) {
 }
 
 MotionResult RosRobot::follow(const Path& path) {
+  if (pressesAtRest()) return {MotionEnd::kContact, "something presses before it sets out", 0.0};
+  press_.setOut();
   trail_.setOutFrom(pose());
   Motion motion = begin(path);
   if (motion.refused) return *motion.refused;
@@ -265,34 +267,6 @@ void RosRobot::settleInContact(Motion* motion) {
     if (!observation) return;
     motion->last = *observation;
   }
-}
-
-bool RosRobot::standStill(double duration) {
-  const double end = stamp() + duration;
-  return waitUntil([&](const auto& observation) { return observation.time >= end; });
-}
-
-bool RosRobot::waitUntilFree() {
-  return waitUntil(
-      [](const auto& observation) { return observation.state == ContactState::kFree; });
-}
-
-bool RosRobot::waitUntilAt(const Pose& target) {
-  return waitUntil([&](const auto& observation) {
-    return gapBetween(observation.T_world_object, target) < kAtTarget;
-  });
-}
-
-bool RosRobot::waitUntil(const std::function<bool(const ContactObservation&)>& condition) {
-  SettleDeadline deadline;
-  bool fulfilled = false;
-  stream_.open();
-  while (const auto observation = nextObservation()) {
-    fulfilled = condition(*observation);
-    if (fulfilled || deadline.passedAt(observation->time)) break;
-  }
-  stream_.close();
-  return fulfilled;
 }
 
 }  // namespace smore

@@ -22,7 +22,7 @@ SensingRecord::SensingRecord(const std::string& file) {
   std::error_code problem;
   std::filesystem::create_directories(std::filesystem::path(file).parent_path(), problem);
   try {
-    bag_.open(file, rosbag::bagmode::Write);
+    bag_->open(file, rosbag::bagmode::Write);
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error("record: '" + file + "' cannot be written: " + error.what());
   }
@@ -36,6 +36,16 @@ SensingRecord::~SensingRecord() {
   }
   queued_.notify_all();
   worker_.join();
+  close();
+}
+
+// Its destructor would try again, and throw.
+void SensingRecord::close() {
+  try {
+    bag_->close();
+  } catch (const rosbag::BagException&) {
+    (void)bag_.release();
+  }
 }
 
 void SensingRecord::follow(const std::string& topic, ros::NodeHandle* node) {

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -17,6 +18,17 @@ namespace smore {
 /// What a record follows of other nodes: what the maps follow from, and what is shown of them and
 /// of the plans.
 std::vector<std::string> recordedTopics();
+
+/// The header of a connection of one's own on which the newest message is kept for who comes later.
+template <typename Message>
+boost::shared_ptr<ros::M_string> latchingHeaderOf(const Message& message) {
+  using namespace ros::message_traits;
+  return boost::make_shared<ros::M_string>(
+      ros::M_string{{"latching", "1"},
+                    {"md5sum", md5sum(message)},
+                    {"message_definition", definition(message)},
+                    {"type", datatype(message)}});
+}
 
 /// A bag of what a node is given, in the order in which it is: nothing of it is missing, whenever
 /// the node begins. Written by a thread of its own, so that nobody waits for the disk.
@@ -34,7 +46,7 @@ class SensingRecord {
   void add(const std::string& topic, const Message& message,
            const boost::shared_ptr<ros::M_string>& header = nullptr) {
     push([this, topic, message, header, time = nextTime()] {
-      bag_.write(topic, time, message, header);
+      bag_->write(topic, time, message, header);
     });
   }
 
@@ -50,7 +62,10 @@ class SensingRecord {
   void push(std::function<void()> write);
   void work();
 
-  rosbag::Bag bag_;
+  /// Closes the bag; where the disk is full it stays as it is.
+  void close();
+
+  std::unique_ptr<rosbag::Bag> bag_ = std::make_unique<rosbag::Bag>();
   std::vector<ros::Subscriber> followed_;
   ros::Time last_time_ = ros::TIME_MIN;
   mutable std::mutex mutex_;

@@ -117,11 +117,11 @@ std::string zeroSensor(ros::NodeHandle* node, const std::string& zero_service, d
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
   bool zeroed = false;
   while (!zeroed && ros::ok() && !given_up() && ros::WallTime::now() < deadline) {
-    // Else the zeroing would be a contact. Where something seems to press, be it the weight of what
-    // has just been gripped, the listener refuses, and is tared all the same once it is zeroed.
-    const auto suspended = ask(node, names::kListenerSuspend, timeout, given_up);
-    if (!suspended) return suspended.reason();
-    std::string problem = demand(node, zero_service, timeout, given_up);
+    // Else the zeroing would be a contact. The listener knows a weight that has just been gripped
+    // from what presses, which would be taken for nothing from now on.
+    std::string problem = demand(node, names::kListenerSuspend, timeout, given_up);
+    if (!problem.empty()) return problem;
+    problem = demand(node, zero_service, timeout, given_up);
     if (!problem.empty()) return problem;
     zeroed = force.comesToZero(std::min(kPatience, timeout), given_up);
   }

@@ -8,13 +8,16 @@ namespace {
 
 using Event = smore_msgs::SensingEvent;
 
-constexpr double kZeroingShows = 0.5;       // [s] from a driver's zeroing until it has come through
+// What speaks against a request may pass by then [s]: a driver's zeroing has come through, and a
+// robot that has just stopped stands.
+constexpr double kPasses = 1.0;
 constexpr double kLongestSuspension = 3.0;  // [s]; twice what a zeroing is waited for
 
 }  // namespace
 
 std::optional<std::uint8_t> TareRequests::apply(double time, ContactSensing* sensing) {
-  if (suspension_.take()) return suspend(time, sensing);
+  if (suspension_.take()) zeroing_asked_at_ = time;
+  if (zeroing_asked_at_) return suspend(time, sensing);
   const bool over = suspended_until_ && time > *suspended_until_;
   if (over) suspended_until_.reset();
   if (tare_.take() || over) asked_at_ = time;
@@ -23,7 +26,9 @@ std::optional<std::uint8_t> TareRequests::apply(double time, ContactSensing* sen
 }
 
 std::optional<std::uint8_t> TareRequests::suspend(double time, ContactSensing* sensing) {
-  const std::string objection = sensing->tareObjection();
+  const std::string objection = sensing->zeroingObjection();
+  if (!objection.empty() && time - *zeroing_asked_at_ < kPasses) return std::nullopt;
+  zeroing_asked_at_.reset();
   suspension_.finish({objection.empty(), objection});
   if (!objection.empty()) return std::nullopt;
   sensing->suspend();
@@ -31,10 +36,9 @@ std::optional<std::uint8_t> TareRequests::suspend(double time, ContactSensing* s
   return Event::SUSPEND;
 }
 
-// A zeroing at the driver shows in the signal only after a while: what presses may be it.
 std::optional<std::uint8_t> TareRequests::begin(double time, ContactSensing* sensing) {
   const std::string objection = sensing->tareObjection();
-  if (!objection.empty() && time - *asked_at_ < kZeroingShows) return std::nullopt;
+  if (!objection.empty() && time - *asked_at_ < kPasses) return std::nullopt;
   forget();
   if (!objection.empty()) {
     tare_.finish({false, objection});
@@ -46,6 +50,7 @@ std::optional<std::uint8_t> TareRequests::begin(double time, ContactSensing* sen
 
 void TareRequests::forget() {
   asked_at_.reset();
+  zeroing_asked_at_.reset();
   suspended_until_.reset();
 }
 

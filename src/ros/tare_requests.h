@@ -20,7 +20,8 @@ class TareRequests {
   SensingRequest& suspension() { return suspension_; }
 
   /// Does what was asked for, before the sample of `time` [s] is processed. The kind of
-  /// smore/SensingEvent that it was, if any. Both are refused while something presses.
+  /// smore/SensingEvent that it was, if any. Both are refused while something presses, but for a
+  /// weight that the driver is to zero.
   std::optional<std::uint8_t> apply(double time, ContactSensing* sensing);
 
   /// Whether nothing is claimed because the sensor is about to be zeroed.
@@ -37,8 +38,9 @@ class TareRequests {
   std::optional<std::uint8_t> begin(double time, ContactSensing* sensing);
 
   SensingRequest tare_, suspension_;
-  std::optional<double> asked_at_;         ///< [s]
-  std::optional<double> suspended_until_;  ///< [s]
+  std::optional<double> asked_at_;          ///< for a tare [s]
+  std::optional<double> zeroing_asked_at_;  ///< for a suspension [s]
+  std::optional<double> suspended_until_;   ///< [s]
 };
 
 }  // namespace smore

@@ -234,9 +234,9 @@ class ForceTorqueNode(unittest.TestCase):
         self.source.send_for(0.1)
         self.assertTrue(self.tare().success)
 
-    def test_a_suspension_while_something_presses_is_refused(self):
-        self.source.send_for(0.1, force=(0, 0, 12))
-        reply = self.ask("suspend", force=(0, 0, 12))
+    def test_a_suspension_while_something_presses_that_is_no_weight_is_refused(self):
+        self.source.send_for(0.1, force=(12, 0, 0))
+        reply = self.ask("suspend", force=(12, 0, 0))
         self.assertFalse(reply.success)
         self.assertIn("presses with 12 N", reply.message)
         stamp = self.source.send_for(0.1)

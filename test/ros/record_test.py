@@ -15,9 +15,10 @@ import rosnode
 import rospy
 import rostest
 from std_srvs.srv import Trigger
+from tf2_msgs.msg import TFMessage
 
 from node_killing import CALLER, api_of
-from node_testing import Recorder, WristSource, pose, start_node, wait_until
+from node_testing import Recorder, WristSource, pose, start_node, transform, wait_until
 from smore.msg import ContactObservation, EvidenceSource
 from smore.srv import SaveMaps, TwinMaps, TwinMapsRequest
 
@@ -49,8 +50,11 @@ class Record(unittest.TestCase):
         for service in ("twin_maps", "save_maps", "reset", "force_torque/tare"):
             rospy.wait_for_service(service, 30.0)
         cls.source = WristSource()
+        cls.fixed = rospy.Publisher("/tf_static", TFMessage, queue_size=1, latch=True)
+        cls.fixed.publish(TFMessage([transform("object", "label", pose(), rospy.Time())]))
         contact = Recorder("contact", ContactObservation)
         assert contact.wait_for_publisher() and cls.source.wait_for_listener()
+        assert wait_until(lambda: cls.fixed.get_num_connections() > 0)
         assert wait_until(lambda: feeds("force_torque", "/contact", "/mapping"))
         assert wait_until(lambda: feeds("mapping", "/evidence_source", "/force_torque"))
         cls.learn(contact)
@@ -143,6 +147,12 @@ class Record(unittest.TestCase):
             topics = bag.get_type_and_topic_info()[1]
         for topic in ("/wrench", "/tf", "/sensing_events", "/evidence_source"):
             self.assertIn(topic, topics)
+
+    def test_what_was_kept_for_who_came_late_is_kept_again_when_it_is_played(self):
+        with rosbag.Bag(self.bag) as bag:
+            latched = {link.topic for link in bag._get_connections() if link.header.get("latching") in ("1", b"1")}
+        for topic in ("/tf_static", "/sensing_events", "/evidence_source"):
+            self.assertIn(topic, latched)
 
     def test_a_bag_of_wrenches_and_transforms_alone_makes_maps_with_a_warning(self):
         bag = self.filtered("plain.bag", lambda topic, time: topic in ("/wrench", "/tf"))

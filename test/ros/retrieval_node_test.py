@@ -169,6 +169,50 @@ class RetrievalNode(unittest.TestCase):
         self.assertIn("never says that the object is free", result.message)
         self.assertTrue(self.never_moved())
 
+    def plan_while(self, arm, state, contacts):
+        """A goal whose plan comes when the sensor has been in another state for a second."""
+        self.phases = []
+        self.may_answer.clear()
+        self.client.send_goal(RetrieveGoal(), feedback_cb=lambda feedback: self.phases.append(feedback.phase))
+        self.assertTrue(wait_until(lambda: self.requests))
+        arm.source.contacts += contacts
+        arm.state = state
+        arm.feel_for(1.0)
+        self.may_answer.set()
+
+    def test_it_does_not_set_out_while_something_presses_that_came_while_it_planned(self):
+        with FakeArm() as arm:
+            self.plan_while(arm, ContactObservation.CONTACT, 1)
+            self.assertTrue(wait_until(lambda: "retreating" in self.phases))
+            self.assertTrue(self.never_moved())
+            arm.state = ContactObservation.FREE
+            self.assertTrue(has_ended(self.client))
+            result = self.client.get_result()
+        self.assertTrue(result.success, result.message)
+        self.assertEqual(result.collisions, 1)
+
+    def test_it_does_not_set_out_while_the_sensor_is_tared(self):
+        with FakeArm() as arm:
+            self.plan_while(arm, ContactObservation.UNSURE, 0)
+            arm.feel_for(0.8)
+            self.assertTrue(self.never_moved())
+            arm.state = ContactObservation.FREE
+            self.assertTrue(has_ended(self.client))
+            self.assertTrue(self.client.get_result().success)
+
+    def test_it_does_not_back_off_from_a_weight_that_was_gripped_at_the_goal(self):
+        with FakeArm() as arm:
+            self.assertTrue(self.retrieve().success)
+            arm.feel_for(1.5)
+            arm.source.contacts += 1
+            arm.state = ContactObservation.CONTACT
+            arm.feel_for(0.1)
+            self.commands.clear()
+            result = self.retrieve(RetrieveGoal(goal=stamped(pose(0.0))))
+        self.assertFalse(result.success)
+        self.assertIn("the object presses against something", result.message)
+        self.assertTrue(self.never_moved())
+
     def test_it_asks_for_plans_on_maps_as_new_as_what_it_felt(self):
         with FakeArm():
             self.retrieve()

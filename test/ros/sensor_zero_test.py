@@ -130,10 +130,12 @@ class SensorZero(unittest.TestCase):
         self.assertEqual(self.driver.suspended_at, [OFFSET])
         self.assertEqual(self.driver.tared_at, [0.0])
 
-    def test_a_weight_that_was_just_gripped_is_zeroed_although_it_presses(self):
+    def test_nothing_is_zeroed_under_what_presses(self):
         self.driver.presses = True
-        self.retrieve()
-        self.assertEqual(self.driver.tared_at, [0.0])
+        result = self.retrieve()
+        self.assertFalse(result.success)
+        self.assertIn("/force_torque/suspend' failed: something presses", result.message)
+        self.assertEqual(self.driver.asked, 0)
 
     def test_a_zeroing_while_the_object_swung_is_repeated(self):
         self.driver.swings = True

@@ -6,27 +6,51 @@
 namespace smore {
 namespace {
 
-Pose at(double x) { return makePose(Vec3(x, 0, 0), Vec3::Zero()); }
+constexpr bool kFault = true;
+constexpr bool kPresses = true;
+
+FaultSign at(double time, double x, bool faulted, bool presses) {
+  return {time, makePose(Vec3(x, 0, 0), Vec3::Zero()), faulted, presses};
+}
 
 TEST(FaultPlace, isHereUntilTheObjectHasMovedFromWhereTheFaultBegan) {
   FaultPlace place;
-  place.observe(at(0.0), false);
+  place.observe(at(1.0, 0.0, !kFault, kPresses));
   EXPECT_FALSE(place.isHere());
-  place.observe(at(0.1), true);
-  place.observe(at(0.103), true);
-  place.observe(at(0.103), false);
+  place.observe(at(1.1, 0.1, kFault, kPresses));
+  place.observe(at(1.2, 0.103, kFault, !kPresses));
+  place.observe(at(9.0, 0.103, !kFault, !kPresses));
   EXPECT_TRUE(place.isHere()) << "a bent arm has not been moved";
-  place.observe(at(0.08), false);
+  place.observe(at(9.1, 0.08, !kFault, kPresses));
   EXPECT_FALSE(place.isHere());
-  place.observe(at(0.1), false);
+  place.observe(at(9.2, 0.1, !kFault, kPresses));
   EXPECT_FALSE(place.isHere()) << "only a new fault makes it one again";
 }
 
 TEST(FaultPlace, isLeftByAMotionDuringTheFault) {
   FaultPlace place;
-  place.observe(at(0.0), true);
-  place.observe(at(0.05), true);
-  place.observe(at(0.05), false);
+  place.observe(at(1.0, 0.0, kFault, kPresses));
+  place.observe(at(1.1, 0.05, kFault, kPresses));
+  place.observe(at(1.2, 0.05, !kFault, kPresses));
+  EXPECT_FALSE(place.isHere());
+}
+
+TEST(FaultPlace, isWhereTheRobotRunsIntoSomethingAsItStops) {
+  FaultPlace place;
+  place.observe(at(1.0, 0.0, kFault, !kPresses));
+  EXPECT_TRUE(place.isHere()) << "nobody knows yet";
+  place.observe(at(1.3, 0.004, kFault, kPresses));
+  place.observe(at(9.0, 0.004, !kFault, kPresses));
+  EXPECT_TRUE(place.isHere());
+}
+
+// As of a robot that is not started yet; then an object is gripped.
+TEST(FaultPlace, isNoneWhereNothingPressedWhenItStoodStill) {
+  FaultPlace place;
+  place.observe(at(1.0, 0.0, kFault, !kPresses));
+  place.observe(at(2.5, 0.0, kFault, !kPresses));
+  EXPECT_FALSE(place.isHere());
+  place.observe(at(5.0, 0.0, !kFault, kPresses));
   EXPECT_FALSE(place.isHere());
 }
 

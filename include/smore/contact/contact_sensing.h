@@ -84,6 +84,10 @@ class ContactSensing {
   /// felt across gravity presses for sure.
   std::string graspObjection() const;
 
+  /// The same of a zeroing at the sensor's driver, after which it is tared: a weight that was just
+  /// gripped does not count.
+  std::string zeroingObjection() const;
+
   /// What the last processed sample let go into the bias because the gripper keeps it after a
   /// touch; nothing where it did not.
   const std::optional<Wrench>& newResidual() const { return residual_; }

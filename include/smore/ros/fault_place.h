@@ -8,30 +8,49 @@
 
 namespace smore {
 
-/// Remembers where a fault stopped the robot until it has been moved from there: as long as it
-/// stands there something may press, and the sensor must not be zeroed. Safe from any thread.
+/// What an observation says of a robot that a fault may have stopped.
+struct FaultSign {
+  double time = 0.0;  ///< [s]
+  Pose T_world_object = Pose::Identity();
+  bool faulted = false;
+  bool presses = false;  ///< or pressed when that was last known
+};
+
+/// Remembers where a fault stopped the robot while something pressed, until it has been moved from
+/// there: as long as it stands there, what presses must not be zeroed. Safe from any thread.
 class FaultPlace {
  public:
-  /// Takes where the object is and whether there is a fault now.
-  void observe(const Pose& T_world_object, bool faulted) {
+  void observe(const FaultSign& sign) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (faulted && !faulted_) place_ = T_world_object;
-    if (place_ && gapBetween(*place_, T_world_object) > kMoved) place_.reset();
-    faulted_ = faulted;
+    if (sign.faulted && !faulted_) place_ = {sign.time, sign.T_world_object, false};
+    faulted_ = sign.faulted;
+    if (!place_) return;
+    place_->pressed = place_->pressed || sign.presses;
+    const bool stands = sign.time - place_->since > kComesToRest;
+    const bool moved = gapBetween(place_->T_world_object, sign.T_world_object) > kMoved;
+    if (moved || (stands && !place_->pressed)) place_.reset();
   }
 
-  /// Whether the object still is where the last fault found it.
+  /// Whether the object still is where the last such fault found it.
   bool isHere() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return place_.has_value();
   }
 
  private:
+  struct Place {
+    double since;  ///< [s]
+    Pose T_world_object;
+    bool pressed;
+  };
+
+  /// What a robot runs into as it stops is felt by then [s].
+  static constexpr double kComesToRest = 1.0;
   static constexpr double kMoved = 0.01;  ///< [m + rad]; no arm bends so far under a force that it
                                           ///< bears, so that this was a motion
 
   mutable std::mutex mutex_;
-  std::optional<Pose> place_;
+  std::optional<Place> place_;
   bool faulted_ = false;
 };
 

@@ -17,7 +17,8 @@ struct RetrievalSummary {
   RetrievalOutcome outcome;
 };
 
-/// The action's result.
+/// The action's feedback and its result.
+smore_msgs::RetrieveFeedback toMessage(const RetrievalProgress& progress);
 smore_msgs::RetrieveResult toMessage(const RetrievalOutcome& outcome);
 
 /// For people, a few lines.

@@ -21,6 +21,7 @@
 #include "smore/ros/fault_place.h"
 #include "smore/ros/joint_listener.h"
 #include "smore/ros/observation_stream.h"
+#include "smore/ros/press_watch.h"
 #include "smore/ros/speed_listener.h"
 
 namespace smore {
@@ -44,9 +45,13 @@ class RosRobot : public Robot {
   /// missing where that does not come, else empty.
   std::string waitUntilReady();
 
-  /// Whether the object touched when that was last known, and the robot knows the way that it has
-  /// come. A sensor that is not tared, or feels hardly anything, is no sign of a touch.
-  bool canBackOff() const { return pressed_ && trail_.endsAt(pose()); }
+  /// To be told of each goal's end. After one that failed in its motions, what presses until the
+  /// object is free is what the robot met on its way.
+  void endGoal(bool success) { press_.endGoal(success); }
+
+  /// Whether the object touches, when that was last known, what it met on its way, and the robot
+  /// knows that way. A sensor that is not tared, or feels hardly anything, is no sign of a touch.
+  bool canBackOff() const { return press_.pressesFromTheWay() && trail_.endsAt(pose()); }
 
   /// A fault of the guard that came before, and was cleared, ends nothing from now on; one that
   /// comes later does, cleared or not.
@@ -56,6 +61,8 @@ class RosRobot : public Robot {
   bool faulted() const { return !guard_.fault().empty(); }
 
   Pose pose() const override;
+  /// In contact at once where something presses already: nothing moves. Where the sensor is unsure
+  /// for long, as with a weight that it does not know, the motion sets out.
   MotionResult follow(const Path& path) override;
   MotionResult retreat(double distance) override;
   MotionResult reset(const Pose& start) override;
@@ -103,6 +110,7 @@ class RosRobot : public Robot {
   /// Stops the robot and waits for the line.
   MotionResult endInContact(Motion* motion);
   void settleInContact(Motion* motion);
+  bool pressesAtRest();
   bool waitUntilFree();
   bool waitUntilAt(const Pose& target);
   /// Until an observation fulfils the condition; false if none does within the deadline.
@@ -117,6 +125,7 @@ class RosRobot : public Robot {
   FaultListener guard_;
   SpeedListener speed_;
   FaultPlace fault_place_;
+  PressWatch press_;
   ros::Publisher command_, sign_of_life_;
   ros::Subscriber contact_;
   ros::ServiceClient reset_;
@@ -125,7 +134,6 @@ class RosRobot : public Robot {
   SignCheck sign_;
   std::mutex command_mutex_;  ///< so that no motion is sent after the stop that forbids it
   std::atomic<bool> stop_requested_{false};
-  std::atomic<bool> pressed_{false};
   int known_faults_ = 0;  ///< of the guard
 };
 
