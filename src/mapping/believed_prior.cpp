@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/mapping/believed_prior.h"
 
+#include <utility>
+
 namespace smore {
 
 HypothesisMask BelievedPrior::worldsOf(PriorMask pieces) const {
@@ -29,11 +31,15 @@ HypothesisMask BelievedPrior::knowingFree(MapSide side, const Eigen::Vector3f& p
   return result;
 }
 
-std::vector<MaskedPoint> BelievedPrior::balls(MapSide side) const {
-  std::vector<MaskedPoint> result;
-  for (const MaskedPoint& ball : evidence.balls(side)) {
-    const HypothesisMask mask = worldsOf(ball.mask);
-    if (mask != 0) result.push_back({ball.point, mask});
+std::vector<KnownBalls> BelievedPrior::balls(MapSide side) const {
+  std::vector<KnownBalls> result;
+  for (const KnownBalls& known : evidence.balls(side)) {
+    KnownBalls believed{{}, known.radius, known.tolerance};
+    for (const MaskedPoint& ball : known.balls) {
+      const HypothesisMask mask = worldsOf(ball.mask);
+      if (mask != 0) believed.balls.push_back({ball.point, mask});
+    }
+    if (!believed.balls.empty()) result.push_back(std::move(believed));
   }
   return result;
 }

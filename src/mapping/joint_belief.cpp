@@ -48,8 +48,9 @@ JointBelief::JointBelief(const JointBeliefParameters& parameters)
 void JointBelief::observe(const ContactObservation& observation) {
   if (!isFinite(observation.T_world_object)) return;
   (void)voxelAt(observation.T_world_object.translation(), parameters_.voxel_size);  // in range
-  if (observation.state == ContactState::kFree) return addFree(observation.T_world_object);
-  noteContact(observation);
+  const bool free = observation.state == ContactState::kFree;
+  if (!free || observation.line) noteContact(observation);  // the line of a contact that was short
+  if (free) addFree(observation.T_world_object);
 }
 
 void JointBelief::change() {
@@ -102,17 +103,21 @@ std::optional<ContactHypotheses> JointBelief::widestPlacesOf(const Pose& T_world
   return contactHypotheses(frame_.T_map_world() * T_world_object, line, widest, frame_.planar());
 }
 
-// Those that are covered at the likeliest unit.
+// Those that are out of reach at the likeliest unit say nothing there; then those that are covered.
 void JointBelief::mergeContacts() {
   DrawnByUnit drawn;
   const int likeliest = likeliestOf(worldsByUnit(&drawn));
   const EvidenceAtUnit& evidence = atUnit(likeliest, drawn);
   std::vector<int> members(kHypotheses);
   std::iota(members.begin(), members.end(), 0);
+  const int surplus = parameters_.most_contacts / kMergedShare;
   std::vector<std::uint64_t> merged;
+  for (const auto& [id, contact] : contacts_) {
+    if (!evidence.knows(id) && static_cast<int>(merged.size()) < surplus) merged.push_back(id);
+  }
   for (const int contact : coveredContacts(
            evidence.contacts(), evidence.explain(drawnAt(likeliest, &drawn), members).explanations,
-           evidence.parameters().distribution, parameters_.most_contacts / kMergedShare)) {
+           evidence.parameters().distribution, surplus - static_cast<int>(merged.size()))) {
     merged.push_back(evidence.contacts()[contact].id);
   }
   for (const std::uint64_t id : merged) {

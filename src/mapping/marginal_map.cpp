@@ -68,8 +68,9 @@ VoxelGrid marginalMap(const Worlds& worlds, MapSide side, double voxel_size) {
   };
   for (const WorldsAtUnit& part : worlds.sampled.parts()) {
     add(of_object ? part.object() : part.world(), part.radius());
-    add(of_object ? part.knownObject() : part.knownWorld(),
-        of_object ? part.knownObjectRadius() : part.knownWorldRadius());
+    for (const KnownBalls& known : of_object ? part.knownObject() : part.knownWorld()) {
+      add(known.balls, known.radius);
+    }
   }
   voxels.store();
   return grid;

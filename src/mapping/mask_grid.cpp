@@ -3,17 +3,14 @@
 
 #include <cmath>
 
+#include "smore/common/cell_key.h"
 #include "smore/mapping/mask_dilation.h"
 
 namespace smore {
 
 std::uint64_t MaskedPoints::cellKey(const Eigen::Vector3f& point, float cell) {
-  constexpr std::int64_t kBias = 1 << 20;  // 21 bits an axis: a kilometre at a millimetre
-  std::uint64_t key = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    key = (key << 21) | static_cast<std::uint64_t>(std::llround(point[axis] / cell) + kBias);
-  }
-  return key;
+  return smore::cellKey(std::llround(point.x() / cell), std::llround(point.y() / cell),
+                        std::llround(point.z() / cell));
 }
 
 void MaskedPoints::add(const Eigen::Vector3f& point, HypothesisMask mask) {

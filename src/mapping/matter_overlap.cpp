@@ -15,6 +15,31 @@ bool moreHypotheses(const MaskedPoint& a, const MaskedPoint& b) {
   return __builtin_popcountll(a.mask) > __builtin_popcountll(b.mask);
 }
 
+// Distances that worlds differ in where surfaces are known to a spread.
+constexpr int kLevels = 8;
+constexpr float kLeastDistance = 0.25F;  // of the mean
+
+// The worlds of one level have surfaces of all sizes, which grow with their numbers.
+int levelOf(int world) { return (5 * world + world / kLevels) % kLevels; }
+
+// What has matter nearer than the distance of its world, by places in a grid.
+MaskGrid nearTo(const std::vector<MaskedPoint>& points, TouchDistance distance, float cell,
+                bool planar) {
+  if (distance.spread <= 0.0F) return {points, distance.mean, cell, planar};
+  std::array<HypothesisMask, kLevels> worlds{};
+  for (int m = 0; m < kHypotheses; ++m) worlds[levelOf(m)] |= HypothesisMask{1} << m;
+  MaskGrid result(cell, planar);
+  for (int level = 0; level < kLevels; ++level) {
+    std::vector<MaskedPoint> part;
+    for (const MaskedPoint& point : points)
+      part.push_back({point.point, point.mask & worlds[level]});
+    const float share = (2.0F * static_cast<float>(level) + 1.0F) / kLevels - 1.0F;
+    const float radius = distance.mean + share * distance.spread;
+    result.add({part, std::max(radius, kLeastDistance * distance.mean), cell, planar});
+  }
+  return result;
+}
+
 // Looked up together, so that memory is waited for once and not for each.
 constexpr std::size_t kTogether = 32;
 
@@ -56,15 +81,16 @@ class Lookups {
 }  // namespace
 
 MatterOverlap::MatterOverlap(const std::vector<MaskedPoint>& object,
-                             const std::vector<MaskedPoint>& world, float distance, float block,
-                             bool planar)
+                             const std::vector<MaskedPoint>& world, TouchDistance distance,
+                             float block, bool planar)
     : object_moves_(object.size() <= world.size()) {
   const float half_diagonal = 0.5F * block * std::sqrt(planar ? 2.0F : 3.0F);
   const std::vector<MaskedPoint>& fixed = object_moves_ ? world : object;
   // A half and a whole cell of the lattice on which touched points lie.
-  near_ball_ = MaskGrid(fixed, distance, distance / 6.0F, planar);
+  near_ball_ = nearTo(fixed, distance, distance.mean / 6.0F, planar);
   // One more cell than the geometry needs makes up for the lattices' rounding.
-  near_block_ = MaskGrid(fixed, 1.4F * distance + half_diagonal, distance / 3.0F, planar);
+  near_block_ = MaskGrid(fixed, 1.4F * (distance.mean + distance.spread) + half_diagonal,
+                         distance.mean / 3.0F, planar);
   makeBlocks(object_moves_ ? object : world, block);
 }
 

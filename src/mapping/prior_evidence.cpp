@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "smore/mapping/forbidden_matter.h"
@@ -83,6 +84,28 @@ void forEachBit(PriorMask mask, Visit visit) {
   }
 }
 
+// Where a piece of the object and one of the world overlapped: [of the object][of the world].
+using OverlapCells = std::vector<std::vector<std::set<std::uint64_t>>>;
+
+// Matter must overlap by the tolerances of both sides: poses are known to a cell. Where balls are
+// hardly thicker than that, three quarters of them must.
+void addOverlaps(const KnownBalls& object, const KnownBalls& world, const FreeSpaceEvidence& free,
+                 float cell, bool planar, OverlapCells* cells) {
+  const double touching = object.radius + world.radius;
+  const auto distance =
+      static_cast<float>(std::max(touching - object.tolerance - world.tolerance, 0.25 * touching));
+  const ForbiddenMatter forbidden(world.balls, posesTo(MapSide::kObject, free),
+                                  boxAround(object.balls, distance), distance, distance / 3.0F,
+                                  planar);
+  for (const MaskedPoint& ball : object.balls) {
+    const PriorMask in_world = forbidden.at(ball.point);
+    forEachBit(ball.mask, [&](int p) {
+      forEachBit(in_world,
+                 [&](int q) { (*cells)[p][q].insert(MaskedPoints::cellKey(ball.point, cell)); });
+    });
+  }
+}
+
 }  // namespace
 
 PriorEvidence::PriorEvidence(const KnownPieces& known,
@@ -91,8 +114,8 @@ PriorEvidence::PriorEvidence(const KnownPieces& known,
                              const FeatureParameters& feature, bool planar)
     : known_(known),
       touched_radius_(feature.radius),
-      object_(sideOf(MapSide::kObject, feature, planar)),
-      world_(sideOf(MapSide::kWorld, feature, planar)) {
+      object_(ballsOf(MapSide::kObject, feature, planar)),
+      world_(ballsOf(MapSide::kWorld, feature, planar)) {
   if (known.empty()) return;
   sayings_.assign(known_.size(), std::vector<Saying>(contacts.size()));
   for (int piece = 0; piece < count(); ++piece) compare(piece, contacts, parameters, feature);
@@ -101,31 +124,25 @@ PriorEvidence::PriorEvidence(const KnownPieces& known,
   comparePieces(free, feature, planar);
 }
 
-// Matter that is told is known to half a voxel.
-PriorEvidence::Side PriorEvidence::sideOf(MapSide side, const FeatureParameters& feature,
-                                          bool planar) const {
-  double voxel = 0.0;
-  for (const auto& piece : known_) {
-    if (piece->side() == side) voxel = std::max(voxel, piece->voxelSize());
-  }
-  const double half_diagonal = 0.5 * std::sqrt(planar ? 2.0 : 3.0) * voxel;
-  Side result;
-  result.radius = std::max(0.5 * feature.radius, half_diagonal);
-  result.tolerance = std::max(feature.tolerance, 0.5 * voxel);
-  const auto radius = static_cast<float>(result.radius);
-  MaskedPoints balls(0.5F * radius);
+std::vector<KnownBalls> PriorEvidence::ballsOf(MapSide side, const FeatureParameters& feature,
+                                               bool planar) const {
+  std::map<double, PriorMask> by_voxel;
   for (int piece = 0; piece < count(); ++piece) {
-    if (known(piece).side() != side) continue;
-    for (const Eigen::Vector3f& ball : known(piece).balls(radius)) {
-      balls.add(ball, PriorMask{1} << piece);
-    }
+    if (known(piece).side() == side) by_voxel[known(piece).voxelSize()] |= PriorMask{1} << piece;
   }
-  result.balls = balls.points();
+  std::vector<KnownBalls> result;
+  for (const auto& [voxel, pieces] : by_voxel) {
+    const double half_diagonal = 0.5 * std::sqrt(planar ? 2.0 : 3.0) * voxel;
+    const double radius = std::max(0.5 * feature.radius, half_diagonal);
+    MaskedPoints balls(0.5F * static_cast<float>(radius));
+    forEachBit(pieces, [&](int piece) {
+      for (const Eigen::Vector3f& ball : known(piece).balls(static_cast<float>(radius))) {
+        balls.add(ball, PriorMask{1} << piece);
+      }
+    });
+    result.push_back({balls.points(), radius, std::max(feature.tolerance, 0.5 * voxel)});
+  }
   return result;
-}
-
-double PriorEvidence::touchedDistance(MapSide side) const {
-  return touched_radius_ + of(side).radius - of(side).tolerance;
 }
 
 void PriorEvidence::compare(int piece, const std::vector<ContactHypotheses>& contacts,
@@ -149,47 +166,34 @@ void PriorEvidence::compare(int piece, const std::vector<ContactHypotheses>& con
 
 void PriorEvidence::addFreeSpace(MapSide side, const std::vector<ContactHypotheses>& contacts,
                                  const FreeSpaceEvidence& free, bool planar) {
-  const std::vector<MaskedPoint>& other = balls(otherSide(side));
-  if (other.empty()) return;
   std::vector<MaskedPoint> places;
   for (const ContactHypotheses& contact : contacts) {
     const PointArray& points = side == MapSide::kObject ? contact.object : contact.world;
     for (int i = 0; i < contact.count; ++i) places.push_back({points.at(i), 1});
   }
-  const auto distance = static_cast<float>(touchedDistance(otherSide(side)));
-  const ForbiddenMatter forbidden(other, posesTo(side, free), boxAround(places, distance), distance,
-                                  distance / 3.0F, planar);
-  auto place = places.begin();
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    for (int i = 0; i < contacts[k].count; ++i, ++place) {
-      forEachBit(forbidden.at(place->point), [&](int piece) { ++sayings_[piece][k].conflicts[i]; });
+  for (const KnownBalls& other : balls(otherSide(side))) {
+    const auto distance = static_cast<float>(touched_radius_ + other.radius - other.tolerance);
+    const ForbiddenMatter forbidden(other.balls, posesTo(side, free), boxAround(places, distance),
+                                    distance, distance / 3.0F, planar);
+    auto place = places.begin();
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      for (int i = 0; i < contacts[k].count; ++i, ++place) {
+        forEachBit(forbidden.at(place->point),
+                   [&](int piece) { ++sayings_[piece][k].conflicts[i]; });
+      }
     }
   }
 }
 
-// Matter must overlap by the tolerances of both sides: poses are known to a cell. Where balls are
-// hardly thicker than that, three quarters of them must. What lies within one
-// contact distance counts as one contradiction.
+// What lies within one contact distance counts as one contradiction.
 void PriorEvidence::comparePieces(const FreeSpaceEvidence& free, const FeatureParameters& feature,
                                   bool planar) {
-  between_.assign(known_.size(), std::vector<int>(known_.size(), 0));
-  if (object_.balls.empty() || world_.balls.empty()) return;
-  const auto distance = static_cast<float>(std::max(
-      bothKnownDistance() - object_.tolerance - world_.tolerance, 0.25 * bothKnownDistance()));
-  const ForbiddenMatter forbidden(world_.balls, posesTo(MapSide::kObject, free),
-                                  boxAround(object_.balls, distance), distance, distance / 3.0F,
-                                  planar);
+  OverlapCells cells(known_.size(), std::vector<std::set<std::uint64_t>>(known_.size()));
   const auto cell = static_cast<float>(feature.conflictDistance());
-  std::vector<std::vector<std::set<std::uint64_t>>> cells(
-      known_.size(), std::vector<std::set<std::uint64_t>>(known_.size()));
-  for (const MaskedPoint& ball : object_.balls) {
-    const PriorMask in_world = forbidden.at(ball.point);
-    if (in_world == 0) continue;
-    forEachBit(ball.mask, [&](int p) {
-      forEachBit(in_world,
-                 [&](int q) { cells[p][q].insert(MaskedPoints::cellKey(ball.point, cell)); });
-    });
+  for (const KnownBalls& object : object_) {
+    for (const KnownBalls& world : world_) addOverlaps(object, world, free, cell, planar, &cells);
   }
+  between_.assign(known_.size(), std::vector<int>(known_.size(), 0));
   for (std::size_t p = 0; p < known_.size(); ++p) {
     for (std::size_t q = 0; q < known_.size(); ++q) {
       between_[p][q] = static_cast<int>(cells[p][q].size() + cells[q][p].size());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/mapping/sampled_worlds.h"
 
+#include <algorithm>
+
 namespace smore {
 
 HypothesisMask SampledWorlds::touching(const Eigen::Isometry3f& T_map_object, int enough) const {
@@ -17,6 +19,16 @@ double SampledWorlds::unknownShareAt(const Eigen::Isometry3f& T_map_object) cons
   double worlds = 0.0;
   for (const WorldsAtUnit& part : parts_) worlds += part.unknownWorldsAt(T_map_object);
   return worlds / kHypotheses;
+}
+
+double SampledWorlds::knownReach() const {
+  float farthest = 0.0F;
+  for (const WorldsAtUnit& part : parts_) {
+    for (const KnownBalls& known : part.knownObject()) {
+      for (const MaskedPoint& ball : known.balls) farthest = std::max(farthest, ball.point.norm());
+    }
+  }
+  return farthest;
 }
 
 }  // namespace smore

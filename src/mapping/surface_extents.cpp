@@ -116,10 +116,9 @@ std::vector<ForbiddenMatter> SurfaceExtents::forbiddenFor(MapSide side) const {
   forbidden.emplace_back(on_object ? world_.points() : object_.points(), poses, region, distance,
                          cell, planar_);
   const MapSide other = on_object ? MapSide::kWorld : MapSide::kObject;
-  const std::vector<MaskedPoint> known = samples_.prior.balls(other);
-  if (!known.empty()) {
-    const auto touched = static_cast<float>(samples_.prior.evidence.touchedDistance(other));
-    forbidden.emplace_back(known, poses, region, touched, cell, planar_);
+  for (const KnownBalls& known : samples_.prior.balls(other)) {
+    const auto touched = static_cast<float>(feature_.radius + known.radius - known.tolerance);
+    forbidden.emplace_back(known.balls, poses, region, touched, cell, planar_);
   }
   return forbidden;
 }

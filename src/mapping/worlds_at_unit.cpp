@@ -17,8 +17,6 @@ WorldsAtUnit::WorldsAtUnit(const WorldSamples& samples, const FeatureParameters&
                            const ExtentParameters& extent, bool planar, std::uint64_t seed)
     : radius_(feature.radius),
       contact_distance_(feature.conflictDistance()),
-      known_object_radius_(samples.prior.evidence.ballRadius(MapSide::kObject)),
-      known_world_radius_(samples.prior.evidence.ballRadius(MapSide::kWorld)),
       members_(samples.members),
       unknown_(samples.prior, samples.members, feature.reach, planar),
       known_object_(samples.prior.balls(MapSide::kObject)),
@@ -27,16 +25,24 @@ WorldsAtUnit::WorldsAtUnit(const WorldSamples& samples, const FeatureParameters&
   object_ = surfaces.object();
   world_ = surfaces.world();
   const auto touched = static_cast<float>(contact_distance_);
-  const float block = kBlockSizes * touched;
-  const auto add = [&](const auto& object, const auto& world, double distance) {
+  const auto add = [&](const auto& object, const auto& world, TouchDistance distance) {
     if (object.empty() || world.empty()) return;
-    overlaps_.emplace_back(object, world, static_cast<float>(distance), block, planar);
+    overlaps_.emplace_back(object, world, distance, kBlockSizes * touched, planar);
   };
-  const PriorEvidence& known = samples.prior.evidence;
-  add(object_, world_, touched);
-  add(known_object_, world_, known.touchedDistance(MapSide::kObject));
-  add(object_, known_world_, known.touchedDistance(MapSide::kWorld));
-  add(known_object_, known_world_, known.bothKnownDistance());
+  add(object_, world_, {touched});
+  for (const KnownBalls& known : known_object_) add(known.balls, world_, touchDistance(known));
+  for (const KnownBalls& known : known_world_) add(object_, known.balls, touchDistance(known));
+  for (const KnownBalls& object : known_object_) {
+    for (const KnownBalls& world : known_world_) {
+      const double mean = object.radius + world.radius;
+      const double spread = object.tolerance + world.tolerance;
+      add(object.balls, world.balls, {static_cast<float>(mean), static_cast<float>(spread)});
+    }
+  }
+}
+
+TouchDistance WorldsAtUnit::touchDistance(const KnownBalls& known) const {
+  return {static_cast<float>(radius_ + known.radius), static_cast<float>(known.tolerance)};
 }
 
 void WorldsAtUnit::setTouching(const Eigen::Isometry3f& T_map_object, double reach) {

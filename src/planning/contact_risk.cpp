@@ -46,7 +46,8 @@ double entropyTerm(double probability) {
 ContactRisk::ContactRisk(std::shared_ptr<const Worlds> worlds)
     : worlds_(std::move(worlds)),
       check_distance_(checkDistance(worlds_->sampled)),
-      check_angle_(check_distance_ / worlds_->feature.reach),
+      check_angle_(check_distance_ /
+                   std::max(worlds_->feature.reach, worlds_->sampled.knownReach())),
       known_cells_(knownCells(*worlds_)) {}
 
 HypothesisMask ContactRisk::touching(const Pose& T_world_object) const {

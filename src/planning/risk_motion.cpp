@@ -13,6 +13,9 @@ namespace {
 // Rounds over a motion, each of every fourth of its poses: most bad motions show in the first.
 constexpr int kPasses = 4;
 
+// What is held reaches so far where it is not known [levers].
+constexpr double kReachInLevers = 2.0;
+
 // In (-pi, pi] [rad].
 double turnAboutZ(const Eigen::Quaternionf& rotation) {
   return wrapped(2.0 * std::atan2(rotation.z(), rotation.w()));
@@ -50,7 +53,8 @@ RiskMotions::RiskMotions(const SampledWorlds& worlds, double lever, bool full_tu
     : worlds_(&worlds),
       lever_(static_cast<float>(lever)),
       full_turns_(full_turns),
-      check_(checkDistance(worlds)) {}
+      check_(checkDistance(worlds) *
+             std::min(1.0, kReachInLevers * lever / std::max(lever, worlds.knownReach()))) {}
 
 float RiskMotions::squaredDistance(const RiskState& a, const RiskState& b) const {
   // Series of the squared angle in 1 - |cos(angle / 2)|; 1 % short of pi squared at worst.

@@ -39,7 +39,9 @@ void sortByValue(std::vector<RiskPath>* paths) {
 double shareWithKnownObject(const SampledWorlds& worlds) {
   HypothesisMask known = 0;
   for (const WorldsAtUnit& part : worlds.parts()) {
-    for (const MaskedPoint& ball : part.knownObject()) known |= ball.mask;
+    for (const KnownBalls& matter : part.knownObject()) {
+      for (const MaskedPoint& ball : matter.balls) known |= ball.mask;
+    }
   }
   return SampledWorlds::shareOf(known);
 }

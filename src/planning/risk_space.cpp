@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/planning/risk_space.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace smore {
 namespace {
 
-// States are single precision: a pose on the workspace's edge may come back this far outside [m].
+// States are single precision: a pose on the workspace's edge may come back so far outside [m],
+// here near the origin and elsewhere of its distance from there.
 constexpr double kRounding = 1e-5;
+constexpr double kRelativeRounding = 2e-7;
 
 }  // namespace
 
@@ -30,7 +33,8 @@ Pose RiskSpace::toPose(const RiskState& state) const {
 
 bool RiskSpace::contains(const RiskState& state) const {
   const Vec3 origin = T_map_world_.inverse() * state.position.cast<double>();
-  const Vec3 rounding = Vec3::Constant(kRounding);
+  const Vec3 rounding =
+      Vec3::Constant(std::max(kRounding, kRelativeRounding * origin.cwiseAbs().maxCoeff()));
   return Bounds{space_.workspace.min - rounding, space_.workspace.max + rounding}.contains(origin);
 }
 

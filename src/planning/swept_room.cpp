@@ -14,8 +14,11 @@ constexpr double kPosesPerCell = 2.0;
 std::vector<MaskedPoint> matterOfObject(const SampledWorlds& worlds, float cell) {
   MaskedPoints merged(cell);
   for (const WorldsAtUnit& part : worlds.parts()) {
-    for (const MaskedPoint& ball : part.object()) merged.add(ball.point, ball.mask);
-    for (const MaskedPoint& ball : part.knownObject()) merged.add(ball.point, ball.mask);
+    const auto add = [&](const std::vector<MaskedPoint>& balls) {
+      for (const MaskedPoint& ball : balls) merged.add(ball.point, ball.mask);
+    };
+    add(part.object());
+    for (const KnownBalls& known : part.knownObject()) add(known.balls);
   }
   return merged.points();
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/retrieval/method.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "smore/common/result.h"
 #include "smore/mapping/joint_belief.h"
+#include "smore/mapping/octomap_export.h"
 #include "smore/mapping/sequential_belief.h"
 #include "smore/planning/blocked_movements.h"
 #include "smore/planning/collision_hypotheses.h"
@@ -132,7 +135,17 @@ std::unique_ptr<TouchPlanner> makeInformedTouches(const Method& method, const Sc
 void checkPriors(MethodKind kind, const Priors& priors) {
   if (kind == MethodKind::kSmore) return;
   if (kind == MethodKind::kChs) {
-    if (!priors.object.empty() && priors.world.empty()) return;
+    const auto has_matter = [](const Prior& piece) {
+      return std::any_of(piece.known.voxels().begin(), piece.known.voxels().end(),
+                         [](const auto& voxel) { return voxel.probability >= kOccupied; });
+    };
+    const std::vector<Prior>& object = priors.object;
+    if (!object.empty() && std::none_of(object.begin(), object.end(), has_matter)) {
+      throw InputError(
+          "prior: what is told of the object holds no matter, only free space; look at min and "
+          "max of its sources");
+    }
+    if (!object.empty() && priors.world.empty()) return;
     throw InputError(
         "prior: the method chs must be told the object's shape and nothing of the world; give "
         "prior: {object: [{source: truth}]} in the scenario, or use another method");

@@ -23,15 +23,20 @@ Eigen::Quaterniond uniformRotation(std::mt19937_64* random) {
   return Eigen::Quaterniond(drawn[0], drawn[1], drawn[2], drawn[3]).normalized();
 }
 
+// Of a plane that passes the workspace obliquely many draws lie beside it.
+constexpr int kMostDraws = 100000;
+
 }  // namespace
 
 RandomTouches::RandomTouches(const MotionSpace& space, std::uint64_t seed)
     : space_(space), random_(seed) {}
 
 Result<Path> RandomTouches::nextTouch(const Pose& from) {
-  Pose goal = draw();
-  while (!space_.allowsTurn(from, goal)) goal = draw();
-  return Path{from, goal};
+  for (int i = 0; i < kMostDraws; ++i) {
+    const Pose goal = draw();
+    if (space_.allowsTurn(from, goal) && space_.inWorkspace(goal)) return Path{from, goal};
+  }
+  return Failure{"no pose of the plane of motion was found in the workspace; make it wider"};
 }
 
 Pose RandomTouches::draw() {

@@ -37,9 +37,9 @@ class WorldDrawing {
       : part_(part), world_(world), array_(array) {}
 
   /// `pose`: of the points' frame in `frame`.
-  void draw(const std::string& name, const std::vector<MaskedPoint>& points, double radius,
+  void draw(const std::string& name, int id, const std::vector<MaskedPoint>& points, double radius,
             const std_msgs::ColorRGBA& color, const std::string& frame, const Pose& pose) {
-    Marker balls = makeMarker(frame, name, 0, Marker::SPHERE_LIST);
+    Marker balls = makeMarker(frame, name, id, Marker::SPHERE_LIST);
     balls.pose = toMessage(pose);
     balls.frame_locked = static_cast<unsigned char>(true);
     balls.scale = toScale(2.0 * radius, 2.0 * radius, 2.0 * radius);
@@ -57,12 +57,16 @@ class WorldDrawing {
     const auto sky_blue = makeColor(0.337F, 0.706F, 0.914F, 1.0F);
     const auto yellow = makeColor(0.941F, 0.894F, 0.259F, 1.0F);
     const Pose here = Pose::Identity();
-    draw("touched object", part_.object(), part_.radius(), blue, frames.object, here);
-    draw("touched world", part_.world(), part_.radius(), orange, frames.world, T_world_map);
-    draw("known object", part_.knownObject(), part_.knownObjectRadius(), sky_blue, frames.object,
-         here);
-    draw("known world", part_.knownWorld(), part_.knownWorldRadius(), yellow, frames.world,
-         T_world_map);
+    draw("touched object", 0, part_.object(), part_.radius(), blue, frames.object, here);
+    draw("touched world", 0, part_.world(), part_.radius(), orange, frames.world, T_world_map);
+    int id = 0;
+    for (const KnownBalls& known : part_.knownObject()) {
+      draw("known object", id++, known.balls, known.radius, sky_blue, frames.object, here);
+    }
+    id = 0;
+    for (const KnownBalls& known : part_.knownWorld()) {
+      draw("known world", id++, known.balls, known.radius, yellow, frames.world, T_world_map);
+    }
   }
 
  private:

@@ -61,6 +61,23 @@ TEST(JointBelief, OneFalseContactDoesNotRuinTheMaps) {
   EXPECT_GT(pegProbability(belief), 0.7);
 }
 
+// A line that passes farther from the hand than things of the told unit reach says nothing.
+TEST(JointBelief, ContactsOutOfReachGoBeforeThoseThatTellSomething) {
+  JointBeliefParameters parameters = planarParameters();
+  parameters.most_contacts = 10;
+  JointBelief belief(parameters);
+  const auto told = wallObservations();
+  observeAll(told, &belief);
+  for (int i = 0; i < 40; ++i) {
+    belief.observe(contactAt(makePose({0.3, 0, 0}), {0.0, 1.5 + 0.01 * i, 0}, {-1, 0, 0}));
+  }
+  EXPECT_EQ(belief.contactCount(), 45U);
+  for (const ContactObservation& observation : told) {
+    if (!observation.line) continue;
+    EXPECT_FALSE(belief.placesOf(observation.T_world_object, *observation.line).empty());
+  }
+}
+
 TEST(JointBelief, MergedContactsStayInTheMaps) {
   JointBeliefParameters parameters = planarParameters();
   parameters.most_contacts = 10;
@@ -174,6 +191,15 @@ TEST(JointBelief, ShortContactsCountByTheirLinesThatComeWhenTheyAreOver) {
   belief.observe(over);
   EXPECT_EQ(belief.contactCount(), 0U);
   over.line = line;
+  belief.observe(over);
+  EXPECT_EQ(belief.contactCount(), 1U);
+}
+
+// Where noise does not lengthen its windows, the sensor is sure by then that nothing touches.
+TEST(JointBelief, ShortContactsCountTooWhereTheObjectIsFreeWhenTheirLinesCome) {
+  JointBelief belief(planarParameters());
+  ContactObservation over = contactAt(makePose({0.3, 0, 0}), {0.2, 0, 0}, {-1, 0, 0});
+  over.state = ContactState::kFree;
   belief.observe(over);
   EXPECT_EQ(belief.contactCount(), 1U);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -69,7 +70,7 @@ TEST_P(Overlap, IsWhatAllPairsSay) {
   std::mt19937_64 random(7);
   const auto object = clumps(given.object, given.size, given.planar, &random);
   const auto world = clumps(given.world, given.size, given.planar, &random);
-  const MatterOverlap overlap(object, world, kDistance, 2.0F * kDistance, given.planar);
+  const MatterOverlap overlap(object, world, {kDistance}, 2.0F * kDistance, given.planar);
   int touching = 0;
   for (int i = 0; i < 300; ++i) {
     const Eigen::Isometry3f at = pose(given.size, given.planar, &random);
@@ -80,6 +81,37 @@ TEST_P(Overlap, IsWhatAllPairsSay) {
   }
   EXPECT_GT(touching, 15);
   EXPECT_LT(touching, 300);
+}
+
+// Two balls, and the same ball for all worlds: the nearer, the more of them touch.
+TEST(OverlapOfASpread, GrowsEvenlyWithHowNearTheBallsAre) {
+  constexpr float kSpread = 0.5F * kDistance;
+  const std::vector<MaskedPoint> ball = {{Eigen::Vector3f::Zero(), ~HypothesisMask{0}}};
+  const MatterOverlap overlap(ball, ball, {kDistance, kSpread}, 2.0F * kDistance, true);
+  Eigen::Isometry3f at = Eigen::Isometry3f::Identity();
+  HypothesisMask before = ~HypothesisMask{0};
+  for (float share = -1.2F; share <= 1.2F; share += 0.05F) {
+    at.translation().x() = kDistance + share * kSpread;
+    const HypothesisMask found = overlap.at(at, kAll);
+    EXPECT_EQ(found & ~before, 0U) << "who touches from afar touches from nearby";
+    const float expected = std::clamp(0.5F - 0.5F * share, 0.0F, 1.0F) * kHypotheses;
+    EXPECT_NEAR(__builtin_popcountll(found), expected, 16) << share;  // an eighth, and a cell
+    before = found;
+  }
+  EXPECT_EQ(before, 0U);
+}
+
+// The worlds with the smallest surfaces have as wide distances as those with the largest.
+TEST(OverlapOfASpread, IsTheSameForWorldsOfAllSizes) {
+  const std::vector<MaskedPoint> ball = {{Eigen::Vector3f::Zero(), ~HypothesisMask{0}}};
+  const MatterOverlap overlap(ball, ball, {kDistance, 0.5F * kDistance}, 2.0F * kDistance, true);
+  Eigen::Isometry3f at = Eigen::Isometry3f::Identity();
+  at.translation().x() = kDistance;
+  const HypothesisMask found = overlap.at(at, kAll);
+  for (int eighth = 0; eighth < 8; ++eighth) {
+    const int count = __builtin_popcountll(found >> (8 * eighth) & 0xFFU);
+    EXPECT_NEAR(count, __builtin_popcountll(found) / 8.0, 1.0) << eighth;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Overlap,

@@ -103,6 +103,35 @@ JointBelief slabsKnown(double unit) {
   return belief;
 }
 
+// A wall on voxels of 5 cm, and a fence of two posts on voxels of 1 cm with an opening between.
+TEST(PriorBelief, ACoarsePieceMakesNoFineOneCoarse) {
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kObject, boxKnown({-0.02, -0.02, -0.1}, {0.02, 0.02, 0.1}, 0.1));
+  belief.know(MapSide::kWorld, boxKnown({0.28, -0.3, -0.1}, {0.32, -0.06, 0.1}, 0.05));
+  belief.know(MapSide::kWorld, boxKnown({0.28, 0.06, -0.1}, {0.32, 0.3, 0.1}, 0.05));
+  const Eigen::Isometry3f opening = makePose({0.3, 0.0, 0.0}).cast<float>();
+  EXPECT_LT(__builtin_popcountll(belief.worlds()->sampled.touching(opening)), 4);
+  Prior coarse{VoxelGrid(0.1), 0.999};
+  coarse.known.set(voxelAt({-1.0, 0.0, 0.0}, 0.1), 1.0F);
+  belief.know(MapSide::kWorld, coarse);
+  EXPECT_LT(__builtin_popcountll(belief.worlds()->sampled.touching(opening)), 4);
+  EXPECT_EQ(belief.worlds()->sampled.parts().front().knownWorld().size(), 2U);
+}
+
+// A surface that was told in voxels may be half of one nearer, or farther.
+TEST(PriorBelief, AGapBetweenKnownSurfacesIsFreeInAsManyWorldsAsItIsWideAgainstTheirVoxels) {
+  JointBelief belief(planarParameters());
+  belief.know(MapSide::kObject, barKnown());
+  belief.know(MapSide::kWorld, wall(0.5));
+  const auto touchingAt = [&](double gap) {
+    const Eigen::Isometry3f T = makePose({0.3 - gap, 0.0, 0.0}).cast<float>();
+    return SampledWorlds::shareOf(belief.worlds()->sampled.touching(T));
+  };
+  EXPECT_LT(touchingAt(0.03), 0.05);
+  EXPECT_NEAR(touchingAt(0.005), 0.35, 0.25);
+  EXPECT_GT(touchingAt(-0.03), 0.95);
+}
+
 // However small the unit of length is against the voxels in which it is told.
 TEST(PriorBelief, KnownMatterPassesNowhereThroughKnownMatter) {
   for (const double unit : {0.005, 0.02, 0.1}) {

@@ -178,6 +178,23 @@ TEST(ContactRisk, OfAMotionIsThatOfWhatIsKnownBeforehand) {
   EXPECT_GT(ContactRisk(belief.worlds()).ofMotion(blocked), 0.95);
 }
 
+// A rod of 2 m, much longer than things of this unit, is turned past a thin post at its end: on a
+// turn that looks at every pose of a thing of the usual reach it would jump over the post.
+TEST(ContactRisk, OfATurnCountsTheEndOfALongKnownRod) {
+  JointBeliefParameters parameters;
+  parameters.unit = 0.05;
+  parameters.T_world_plane = Pose::Identity();
+  JointBelief belief(parameters);
+  belief.know(MapSide::kObject, boxKnown({0.0, -0.01, -0.1}, {2.0, 0.01, 0.1}, 0.05));
+  belief.know(MapSide::kWorld, boxKnown({1.93, -0.01, -0.1}, {1.95, 0.01, 0.1}, 0.05));
+  const ContactRisk risk(belief.worlds());
+  for (double from = 0.05; from < 0.1; from += 0.003) {
+    const Path turn = {makePose(Vec3::Zero(), Vec3(0, 0, from)),
+                       makePose(Vec3::Zero(), Vec3(0, 0, -from))};
+    EXPECT_GT(risk.along(turn), 0.9) << from;
+  }
+}
+
 // Of a motion through known free space the outcome depends on the sampled worlds alone: their
 // entropy, counted world by world.
 TEST(ContactRisk, InformationIsTheEntropyOfWhereEachWorldTouchesFirst) {

@@ -41,6 +41,27 @@ TEST(RandomTouches, stayInTheMotionSpaceAndRepeatForASeed) {
   }
 }
 
+// What lies beside a plane is projected onto it.
+TEST(RandomTouches, stayInTheWorkspaceOfATiltedPlane) {
+  MotionSpace tilted = space(Motion::kPlanar);
+  tilted.workspace = {Vec3(-1, -1, -0.1), Vec3(1, 1, 0.1)};
+  tilted.T_world_plane = makePose(Vec3::Zero(), Vec3(M_PI_4, 0, 0));
+  RandomTouches touches(tilted, 3);
+  for (int i = 0; i < 200; ++i) {
+    EXPECT_TRUE(tilted.contains(touches.nextTouch(Pose::Identity())->back()));
+  }
+}
+
+// The plane passes a workspace that is flat in a line, which no draw hits.
+TEST(RandomTouches, endWithoutAPoseWhereThePlaneHardlyPassesTheWorkspace) {
+  MotionSpace flat = space(Motion::kPlanar);
+  flat.workspace = {Vec3(-1, -1, 0), Vec3(1, 1, 0)};
+  flat.T_world_plane = makePose(Vec3::Zero(), Vec3(M_PI_4, 0, 0));
+  const Result<Path> touch = RandomTouches(flat, 3).nextTouch(Pose::Identity());
+  ASSERT_FALSE(touch);
+  EXPECT_NE(touch.reason().find("make it wider"), std::string::npos);
+}
+
 TEST(RandomTouches, keepWithinTheHalfTurnOfAnArm) {
   MotionSpace arm = space(Motion::kPlanar);
   arm.full_turns = false;

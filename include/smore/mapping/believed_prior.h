@@ -20,8 +20,8 @@ struct BelievedPrior {
   /// Those in which it is known that there is nothing.
   HypothesisMask knowingFree(MapSide side, const Eigen::Vector3f& place) const;
 
-  /// Balls of known matter, with the worlds that hold it to be there.
-  std::vector<MaskedPoint> balls(MapSide side) const;
+  /// Known matter that some world holds to be there, with these worlds.
+  std::vector<KnownBalls> balls(MapSide side) const;
 };
 
 }  // namespace smore

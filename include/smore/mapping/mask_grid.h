@@ -52,6 +52,9 @@ class MaskGrid {
     bricks_.mark(cellOf(point.x()), cellOf(point.y()), cellOf(point.z()), mask);
   }
 
+  /// Adds the matter of another grid with cells of the same size.
+  void add(const MaskGrid& other) { bricks_.add({other.bricks_}); }
+
   /// Turns each marked cell into a ball of `radius` [m] around its centre.
   void dilate(float radius);
 

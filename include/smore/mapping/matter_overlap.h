@@ -9,14 +9,22 @@
 
 namespace smore {
 
+/// Distance of the centres of two balls at which they touch [m]: another one in each world, where
+/// surfaces are known to a `spread`, in equal parts from `mean - spread` to `mean + spread`, and a
+/// quarter of the mean at least.
+struct TouchDistance {
+  float mean;
+  float spread = 0.0F;
+};
+
 /// In which worlds balls of the object and balls of the world overlap at a pose: looked up in grids
 /// of the side that has more of them, point by point and in blocks of points before, many at once.
 class MatterOverlap {
  public:
-  /// Balls whose centres are nearer than `distance` [m] overlap; blocks are `block` [m] wide. In
+  /// Balls whose centres are nearer than `distance` overlap; blocks are `block` [m] wide. In
   /// `planar` motion all points lie in the plane z = 0.
   MatterOverlap(const std::vector<MaskedPoint>& object, const std::vector<MaskedPoint>& world,
-                float distance, float block, bool planar);
+                TouchDistance distance, float block, bool planar);
 
   /// Once they are more than `enough`, the rest may be missing.
   HypothesisMask at(const Eigen::Isometry3f& T_map_object, int enough) const;

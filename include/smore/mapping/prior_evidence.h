@@ -23,6 +23,17 @@ struct PriorParameters {
   double weight = 1.0;  ///< of a known surface, in touches at one place
 };
 
+/// Matter of pieces that were told in voxels of one size, as balls below its surface.
+struct KnownBalls {
+  std::vector<MaskedPoint> balls;
+  /// Of the balls [m]: half of that of touched ones, whose depth is a guess, or what holds a voxel,
+  /// so that nothing passes between them.
+  double radius = 0.0;
+  /// The surface may be so far from where it was told [m]: half a voxel, or the tolerance of
+  /// touches where that is larger.
+  double tolerance = 0.0;
+};
+
 /// What pieces of prior knowledge say about the places of all contacts, if they are true, and about
 /// one another (docs/belief.md, docs/priors.md).
 class PriorEvidence {
@@ -56,17 +67,10 @@ class PriorEvidence {
   /// that it tells of.
   PriorMask covering(MapSide side, int contact, int place) const;
 
-  /// Balls of all pieces of one side, with the pieces that they belong to.
-  const std::vector<MaskedPoint>& balls(MapSide side) const { return of(side).balls; }
-
-  /// Radius of these balls [m]: half of that of touched ones, whose depth is a guess, or what holds
-  /// a voxel of the pieces, so that nothing passes between them.
-  double ballRadius(MapSide side) const { return of(side).radius; }
-
-  /// Distance of the centres of two balls at which they touch [m]: of a touched ball of the other
-  /// side and one of these, and of two of known matter, which are no guesses.
-  double touchedDistance(MapSide side) const;
-  double bothKnownDistance() const { return object_.radius + world_.radius; }
+  /// The matter of all pieces of one side, with the pieces that it belongs to.
+  const std::vector<KnownBalls>& balls(MapSide side) const {
+    return side == MapSide::kObject ? object_ : world_;
+  }
 
  private:
   /// What one piece says about one contact's places.
@@ -76,15 +80,8 @@ class PriorEvidence {
     std::array<std::uint8_t, kCandidates> conflicts{};  ///< how often it contradicts the piece
   };
 
-  /// What is known of one side.
-  struct Side {
-    std::vector<MaskedPoint> balls;
-    double radius = 0.0;     ///< of the balls [m]
-    double tolerance = 0.0;  ///< overlap that is still no contradiction [m]
-  };
-
-  const Side& of(MapSide side) const { return side == MapSide::kObject ? object_ : world_; }
-  Side sideOf(MapSide side, const FeatureParameters& feature, bool planar) const;
+  std::vector<KnownBalls> ballsOf(MapSide side, const FeatureParameters& feature,
+                                  bool planar) const;
   void compare(int piece, const std::vector<ContactHypotheses>& contacts,
                const PriorParameters& parameters, const FeatureParameters& feature);
   void addFreeSpace(MapSide side, const std::vector<ContactHypotheses>& contacts,
@@ -93,8 +90,8 @@ class PriorEvidence {
 
   KnownPieces known_;
   double touched_radius_ = 0.0;
-  Side object_;
-  Side world_;
+  std::vector<KnownBalls> object_;
+  std::vector<KnownBalls> world_;
   std::vector<std::vector<Saying>> sayings_;  ///< [piece][contact]
   std::vector<std::vector<int>> between_;     ///< [piece][piece]
 };

@@ -39,6 +39,10 @@ class SampledWorlds {
   /// smallest unit. The unit tells it, before there is matter too; 0 where there are no parts.
   double contactDistance() const { return parts_.empty() ? 0.0 : parts_.front().contactDistance(); }
 
+  /// How far from its frame's origin the object is known beforehand to hold matter [m]; 0 where
+  /// nothing is known of it. It may be farther than the belief's reach.
+  double knownReach() const;
+
  private:
   std::vector<WorldsAtUnit> parts_;
 };

@@ -60,11 +60,9 @@ class WorldsAtUnit {
   const std::vector<MaskedPoint>& world() const { return world_; }
   double radius() const { return radius_; }  ///< of these balls [m]
 
-  /// The same of matter that was known beforehand.
-  const std::vector<MaskedPoint>& knownObject() const { return known_object_; }
-  const std::vector<MaskedPoint>& knownWorld() const { return known_world_; }
-  double knownObjectRadius() const { return known_object_radius_; }
-  double knownWorldRadius() const { return known_world_radius_; }
+  /// Matter that was known beforehand.
+  const std::vector<KnownBalls>& knownObject() const { return known_object_; }
+  const std::vector<KnownBalls>& knownWorld() const { return known_world_; }
 
   /// Distance of two touched balls' centres at which they touch [m].
   double contactDistance() const { return contact_distance_; }
@@ -75,19 +73,19 @@ class WorldsAtUnit {
     Eigen::Isometry3f T_map_object;
     float reach;
   };
+  /// Of touched matter and known one.
+  TouchDistance touchDistance(const KnownBalls& known) const;
   bool isLikeATouchingPose(const Eigen::Isometry3f& T_map_object) const;
 
   double radius_;
   double contact_distance_;
-  double known_object_radius_;
-  double known_world_radius_;
   HypothesisMask members_;
   UnknownPlaces unknown_;
   std::vector<TouchingPose> touching_poses_;
   std::vector<MaskedPoint> object_;
   std::vector<MaskedPoint> world_;
-  std::vector<MaskedPoint> known_object_;
-  std::vector<MaskedPoint> known_world_;
+  std::vector<KnownBalls> known_object_;
+  std::vector<KnownBalls> known_world_;
   std::vector<MatterOverlap> overlaps_;  ///< touched or known matter of either side
 };
 
