@@ -182,6 +182,7 @@ TEST_F(ContactSensingTest, aLineIsNotOfWhatWasFeltBeforeASilence) {
 }
 
 TEST_F(ContactSensingTest, objectsToATareOfARobotThatMoves) {
+  hold({}, 250);
   EXPECT_EQ(sensing_.tareObjection(), "");
   WrenchSample sample;
   for (int i = 0; i < 100; ++i) {

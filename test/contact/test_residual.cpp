@@ -137,7 +137,7 @@ TEST_P(ResidualTest, aTareIsRefusedWhileSomethingPresses) {
       << sensing_->tareObjection();
   kept_ = Vec3(0, 2.0, 0);
   moveTo(0.0);
-  stand(0.2);
+  stand(0.6);
   EXPECT_EQ(sensing_->tareObjection(), "") << "it cannot be told from a light touch yet";
 }
 

@@ -94,7 +94,7 @@ for map in world.ot object.ot; do
     failures=$((failures + 1))
   fi
 done
-for file in result.json maps/world.ot maps/object.ot again/deep/summary.json cut/world.ot smore/object.ot; do
+for file in made/result.json maps/world.ot maps/object.ot again/deep/summary.json cut/world.ot smore/object.ot; do
   if [ ! -s "$directory/$file" ]; then
     echo "no $file was written"
     failures=$((failures + 1))

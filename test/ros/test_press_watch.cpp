@@ -10,14 +10,12 @@ constexpr auto kFree = ContactState::kFree;
 constexpr auto kUnsure = ContactState::kUnsure;
 constexpr auto kContact = ContactState::kContact;
 
-// After a goal whose end is at 2 s.
-PressWatch afterGoal(bool moved, bool success) {
-  PressWatch watch;
-  watch.observe(1.0, kFree);
-  if (moved) watch.setOut();
-  watch.observe(2.0, kFree);
-  watch.endGoal(success);
-  return watch;
+// A goal whose end is at 2 s.
+void goThroughGoal(bool moved, bool success, PressWatch* watch) {
+  watch->observe(1.0, kFree);
+  if (moved) watch->setOut();
+  watch->observe(2.0, kFree);
+  watch->endGoal(success);
 }
 
 TEST(PressWatch, knowsWhatPressesUntilItIsSurelyFree) {
@@ -57,20 +55,23 @@ TEST(PressWatch, meetsOnTheWayWhatTheRobotRunsIntoAsItStops) {
 TEST(PressWatch, doesNotTakeAWeightThatIsGrippedLaterForWhatItMet) {
   for (const bool success : {true, false}) {
     for (const bool moved : {true, false}) {
-      PressWatch watch = afterGoal(moved, success);
+      PressWatch watch;
+      goThroughGoal(moved, success, &watch);
       watch.observe(4.0, kFree);
       watch.observe(5.0, kContact);
       EXPECT_TRUE(watch.presses());
       EXPECT_FALSE(watch.pressesFromTheWay()) << success << moved;
     }
   }
-  PressWatch watch = afterGoal(true, true);
+  PressWatch watch;
+  goThroughGoal(true, true, &watch);
   watch.observe(2.1, kContact);
   EXPECT_FALSE(watch.pressesFromTheWay()) << "soon after a success";
 }
 
 TEST(PressWatch, forgetsWhatItMetOnceTheObjectIsFree) {
-  PressWatch watch = afterGoal(true, false);
+  PressWatch watch;
+  goThroughGoal(true, false, &watch);
   watch.observe(2.5, kContact);
   watch.observe(3.5, kFree);
   watch.observe(5.0, kContact);
