@@ -87,7 +87,9 @@ class PlotsTest(unittest.TestCase):
             content = {"scenario": "scene", "trials": [{"success": reached}, {"success": True}],
                        "summary": {"collisions": {"mean": collisions}}}
             (self.folder / name / "smore_scene.json").write_text(json.dumps(content))
-        result = run("table_of_ablation.py", self.folder / "nothing", self.folder / "extents")
+            (self.folder / name / "smore_of_another_call.json").write_text(json.dumps({**content, "scenario": "other"}))
+        folders = [self.folder / "nothing", self.folder / "extents"]
+        result = run("table_of_ablation.py", *folders, "--", "smore_scene.json")
         self.assertEqual(result.stdout.splitlines(), [
             "| without | scene |", "|---|---|", "| nothing | 8.0 |", "| extents | 40.0 (1 of 2) |"])
 
