@@ -78,9 +78,9 @@ void RosRobot::send(const JointTrajectory& trajectory) {
 }
 
 MotionResult RosRobot::follow(const Path& path) {
+  trail_.setOutFrom(pose());
   if (pressesAtRest()) return {MotionEnd::kContact, "something presses before it sets out", 0.0};
   press_.setOut();
-  trail_.setOutFrom(pose());
   Motion motion = begin(path);
   if (motion.refused) return *motion.refused;
   while (true) {
