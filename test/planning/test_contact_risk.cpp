@@ -185,8 +185,8 @@ TEST(ContactRisk, OfATurnCountsTheEndOfALongKnownRod) {
   parameters.unit = 0.05;
   parameters.T_world_plane = Pose::Identity();
   JointBelief belief(parameters);
-  belief.know(MapSide::kObject, boxKnown({0.0, -0.01, -0.1}, {2.0, 0.01, 0.1}, 0.05));
-  belief.know(MapSide::kWorld, boxKnown({1.93, -0.01, -0.1}, {1.95, 0.01, 0.1}, 0.05));
+  belief.know(MapSide::kObject, boxKnown({0.0, 0.0, -0.1}, {2.0, 0.01, 0.1}, 0.05));
+  belief.know(MapSide::kWorld, boxKnown({1.93, 0.0, -0.1}, {1.95, 0.01, 0.1}, 0.05));
   const ContactRisk risk(belief.worlds());
   for (double from = 0.05; from < 0.1; from += 0.003) {
     const Path turn = {makePose(Vec3::Zero(), Vec3(0, 0, from)),
