@@ -1,30 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/planning/path_value.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace smore {
+namespace {
+
+// Worlds that would let pass a path against which all worlds speak: keeps its cost finite.
+constexpr double kLeastHope = 1e-6;
+
+}  // namespace
 
 PathValue::Along PathValue::along(const std::vector<RiskState>& states) const {
   Along result;
   result.objective_ = objective_;
+  result.no_surprise_.fill(1.0);
   if (room_ == nullptr) return result;
-  const SweptRoom::Shares shares = room_->noSurpriseAlong(states);
-  for (int m = 0; m < kHypotheses; ++m) {
-    result.log_no_surprise_[m] = surprises_ * std::log(shares[m]);
-  }
+  result.no_surprise_ = room_->noSurpriseAlong(states);
+  for (double& share : result.no_surprise_) share = std::pow(share, surprises_);
   return result;
 }
 
-// By logarithms: where all worlds speak against a path by hundreds of nats, some do so by less.
 double PathValue::Along::of(const MotionCost& total) const {
-  std::array<double, kHypotheses> log_hopes = log_no_surprise_;
-  for (int m = 0; m < kHypotheses; ++m) log_hopes[m] -= total.touching_length[m] / objective_.give;
-  const double best = *std::max_element(log_hopes.begin(), log_hopes.end());
-  double sum = 0.0;
-  for (const double log_hope : log_hopes) sum += std::exp(log_hope - best);
-  return total.length - objective_.touch_cost * (best + std::log(sum / kHypotheses));
+  double hope = kLeastHope;
+  for (int m = 0; m < kHypotheses; ++m) {
+    hope += no_surprise_[m] * std::exp(-total.touching_length[m] / objective_.give);
+  }
+  return total.length - objective_.touch_cost * std::log(hope / kHypotheses);
 }
 
 }  // namespace smore

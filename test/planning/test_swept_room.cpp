@@ -91,20 +91,6 @@ TEST(PathValue, IsTheLengthWhereNothingMayTouch) {
   EXPECT_NEAR(Room(movedBar()).value({kEnd, kBroadside}, 0.0), 2.0, 1e-6);
 }
 
-// However much speaks against both: in all worlds one touches for longer, or for as many surprises.
-TEST(PathValue, TellsHopelessPathsApart) {
-  const Room room(movedBar());
-  const auto touching = [&](float length) {
-    MotionCost cost;
-    cost.touching_length.fill(length);
-    return PathValue({10.0, 0.2}, nullptr, 0.0).along(room.states({kEnd, kEndFirst})).of(cost);
-  };
-  EXPECT_NEAR(touching(200.0F) - touching(199.0F), 10.0 / 0.2, 1e-6);
-  const double once = room.value({kEnd, kEndFirst}, 500.0);
-  const double broadside = room.value({kEnd, kBroadside}, 500.0);
-  EXPECT_GT(broadside - once, 1000.0);
-}
-
 TEST(PathValue, CountsNewRoomOnceForEachSurprise) {
   const Room room(movedBar());
   const double once = room.value({kEnd, kEndFirst}, 1.0);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "smore/planning/risk_motion.h"
@@ -40,7 +39,7 @@ class PathValue {
    private:
     friend class PathValue;
     RiskObjective objective_;
-    std::array<double, kHypotheses> log_no_surprise_{};  ///< log s^surprises, by world
+    SweptRoom::Shares no_surprise_;  ///< s^surprises, by world
   };
 
   /// Of a path of at least one state: what does not hang on where it touches is found here, once.
