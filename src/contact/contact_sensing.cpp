@@ -34,6 +34,14 @@ std::pair<Vec3, Vec3> perpendiculars(const Vec3& axis) {
   return {first, axis.cross(first)};
 }
 
+// What of a vector is square to gravity, or to a change of it [m/s^2]; all of it where that is so
+// small that no weight of a few kilograms is felt by it.
+Vec3 across(const Vec3& gravity, const Vec3& vector) {
+  constexpr double kLeast = 0.5;
+  if (gravity.norm() < kLeast) return vector;
+  return vector - vector.dot(gravity) / gravity.squaredNorm() * gravity;
+}
+
 ResidualParameters residualParameters(const ContactSensingParameters& parameters) {
   ResidualParameters result;
   const ContactDetectorParameters& detector = parameters.detector;
@@ -140,11 +148,10 @@ std::string ContactSensing::payloadObjection(const IdentifiedPayload& found) con
 }
 
 std::string ContactSensing::graspObjection() const {
-  const Vec3 down = gravityIn(rest_pose_.value_or(Pose::Identity())).normalized();
-  const Vec3 mean = detector_.meanForce();
-  const double across = (mean - mean.dot(down) * down).norm();
-  if (across <= parameters_.detector.contact_force) return motionObjection();
-  return pressing(across,
+  const Vec3 down = gravityIn(rest_pose_.value_or(Pose::Identity()));
+  const double press = across(down, detector_.meanForce()).norm();
+  if (press <= parameters_.detector.contact_force) return motionObjection();
+  return pressing(press,
                   "it is across gravity, and no weight; free the object on all sides, and "
                   "ask again");
 }
@@ -160,8 +167,17 @@ std::string ContactSensing::tareObjection() const {
                   "changed, zero the sensor at its driver first");
 }
 
+// A weight is felt along gravity, and that of which the tare was wrong, where the object has turned
+// since, along what gravity has changed by.
 std::string ContactSensing::zeroingObjection() const {
-  return tareObjection().empty() ? "" : graspObjection();
+  if (tareObjection().empty()) return "";
+  const Vec3 down = gravityIn(rest_pose_.value_or(Pose::Identity()));
+  const Vec3 turned = across(down, compensator_.gravityAtTare());
+  const double press = across(turned, across(down, detector_.meanForce())).norm();
+  if (press <= parameters_.detector.residual_force) return motionObjection();
+  return pressing(press,
+                  "it is no weight; free the object on all sides, or where nothing touches "
+                  "it zero the sensor at its driver by hand, and ask again");
 }
 
 void ContactSensing::startTare() {

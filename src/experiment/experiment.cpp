@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/experiment/experiment.h"
 
-#include <algorithm>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -25,7 +24,7 @@ RetrievalOutcome runTask(const Scenario& scenario, const ExperimentParameters& p
                          const Retrieval::ProgressCallback& on_progress, MotionObserver* motions) {
   if (scenario.task == Task::kReconstruct) {
     ReconstructionParameters reconstruction = reconstructionParameters(scenario);
-    reconstruction.touches = std::min(reconstruction.touches, parameters.max_collisions);
+    reconstruction.max_collisions = parameters.max_collisions;
     return reconstruct(
         reconstruction, robot, method.touches.get(), on_progress,
         [&interrupted] { return interrupted.load(); }, motions);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/retrieval/reconstruction.h"
 
+#include <algorithm>
 #include <string>
 
 namespace smore {
@@ -14,8 +15,9 @@ void touchOn(const ReconstructionParameters& parameters, Robot* robot, TouchPlan
              const std::function<void(Phase)>& enter, const std::function<bool()>& should_stop,
              MotionObserver* motions, RetrievalOutcome* outcome) {
   const int max_motions = kMotionsPerTouch * parameters.touches;
+  const int most = std::min(parameters.touches, parameters.max_collisions);
   int refused = 0;
-  while (outcome->collisions < parameters.touches && outcome->plans < max_motions) {
+  while (outcome->collisions < most && outcome->plans < max_motions) {
     if (should_stop && should_stop()) {
       outcome->reason = "stopped by the user";
       return;
@@ -41,7 +43,7 @@ void touchOn(const ReconstructionParameters& parameters, Robot* robot, TouchPlan
     refused = motion.end == MotionEnd::kUnreachable ? refused + 1 : 0;
     if (refused > 0 && refused < kMostRefused) continue;
     if (motion.end == MotionEnd::kContact) {
-      ++outcome->collisions;
+      if (motion.set_out) ++outcome->collisions;
       const bool reset = parameters.on_contact == OnContact::kReset;
       enter(reset ? Phase::kResetting : Phase::kRetreating);
       motion = reset ? robot->reset(parameters.start) : robot->retreat(parameters.retreat_distance);
@@ -52,9 +54,13 @@ void touchOn(const ReconstructionParameters& parameters, Robot* robot, TouchPlan
     }
   }
   outcome->success = outcome->collisions >= parameters.touches;
-  outcome->reason = outcome->success
-                        ? "the budget of touches is used up"
-                        : std::to_string(max_motions) + " motions found too few touches";
+  if (outcome->success) {
+    outcome->reason = "the budget of touches is used up";
+  } else if (outcome->collisions >= most) {
+    outcome->reason = "reached the limit of " + std::to_string(most) + " collisions";
+  } else {
+    outcome->reason = std::to_string(max_motions) + " motions found too few touches";
+  }
 }
 
 }  // namespace

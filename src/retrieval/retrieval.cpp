@@ -133,7 +133,8 @@ bool Retrieval::execute(const Plan& plan) {
   const MotionResult motion = follow(plan);
   outcome_.path_length = motion.length;
   refused_ = motion.end == MotionEnd::kUnreachable ? refused_ + 1 : 0;
-  if (motion.end == MotionEnd::kReached || motion.end == MotionEnd::kContact) {
+  const bool ended = motion.end == MotionEnd::kReached || motion.end == MotionEnd::kContact;
+  if (ended && motion.set_out) {
     const bool touched = motion.end == MotionEnd::kContact;
     outcome_.motions.push_back({plan.risk, touched});
     calibration_.learn(planned_risk_, touched);

@@ -4,7 +4,7 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
-#include <algorithm>
+#include <cstdint>
 #include <mutex>
 
 #include "retrieval_node_parameters.h"
@@ -172,8 +172,7 @@ class RetrievalNode {
     outcome.reason = beforeMotion(parameters);
     if (robot_.stopRequested()) outcome.reason = "stopped by the user";
     if (!outcome.reason.empty()) return outcome;
-    return scenario_.task == Task::kReconstruct ? touch(parameters.max_collisions)
-                                                : retrieve(parameters);
+    return scenario_.task == Task::kReconstruct ? touch(goal.max_collisions) : retrieve(parameters);
   }
 
   /// What hinders a retrieval to begin; empty where nothing does. The weight is found by motions
@@ -222,11 +221,12 @@ class RetrievalNode {
     return retrieval.run();
   }
 
-  RetrievalOutcome touch(int most_touches) {
+  /// `max_collisions`: of the goal; 0: those that the scenario asks for.
+  RetrievalOutcome touch(std::uint32_t max_collisions) {
     RemoteTouchPlanner touches(parameters_.frames.world, &robot_);
     ReconstructionParameters parameters = reconstructionParameters(scenario_);
     parameters.retreat_distance = parameters_.retreat_distance;
-    parameters.touches = std::min(parameters.touches, most_touches);
+    if (max_collisions > 0) parameters.max_collisions = static_cast<int>(max_collisions);
     return reconstruct(
         parameters, &robot_, &touches, [this](const auto& progress) { show(progress); },
         [this] { return robot_.stopRequested(); });

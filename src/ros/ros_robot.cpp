@@ -79,7 +79,7 @@ void RosRobot::send(const JointTrajectory& trajectory) {
 
 MotionResult RosRobot::follow(const Path& path) {
   trail_.setOutFrom(pose());
-  if (pressesAtRest()) return {MotionEnd::kContact, "something presses before it sets out", 0.0};
+  if (pressesAtRest()) return {MotionEnd::kContact, "", 0.0, false};
   press_.setOut();
   Motion motion = begin(path);
   if (motion.refused) return *motion.refused;
@@ -113,6 +113,7 @@ MotionResult RosRobot::retreat(double distance) {
 }
 
 MotionResult RosRobot::goBack(const Path& back) {
+  press_.setOut();
   Motion motion = begin(back);
   if (motion.refused) return *motion.refused;
   while (true) {

@@ -4,9 +4,23 @@
 #include "smore/ros/settle_deadline.h"
 
 namespace smore {
+namespace {
+
+// The sensor says so by then where nothing touches and its tare has ended [s].
+constexpr double kFreeWithin = 2.0;
+
+}  // namespace
 
 // A contact that is felt by now would neither end the motion nor set off the robot's own reflex.
-bool RosRobot::pressesAtRest() { return !waitUntilFree() && press_.presses(); }
+bool RosRobot::pressesAtRest() {
+  const double end = stamp() + kFreeWithin;
+  bool free = false;
+  waitUntil([&](const auto& observation) {
+    free = observation.state == ContactState::kFree;
+    return free || observation.time >= end;
+  });
+  return !free && press_.presses();
+}
 
 bool RosRobot::standStill(double duration) {
   const double end = stamp() + duration;

@@ -44,6 +44,16 @@ TEST(FaultPlace, isWhereTheRobotRunsIntoSomethingAsItStops) {
   EXPECT_TRUE(place.isHere());
 }
 
+// The listener is started again, tares under what presses, and the driver's program ends.
+TEST(FaultPlace, isHereAfterAFurtherFaultThere) {
+  FaultPlace place;
+  place.observe(at(1.0, 0.0, kFault, kPresses));
+  place.observe(at(2.0, 0.0, !kFault, !kPresses));
+  place.observe(at(5.0, 0.0, kFault, !kPresses));
+  place.observe(at(9.0, 0.0, !kFault, !kPresses));
+  EXPECT_TRUE(place.isHere());
+}
+
 // As of a robot that is not started yet; then an object is gripped.
 TEST(FaultPlace, isNoneWhereNothingPressedWhenItStoodStill) {
   FaultPlace place;

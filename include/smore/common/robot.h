@@ -20,6 +20,7 @@ struct MotionResult {
   MotionEnd end = MotionEnd::kReached;
   std::string reason;   ///< in words for the user; empty for kReached and kContact
   double length = 0.0;  ///< executed length of the object frame's origin [m]
+  bool set_out = true;  ///< false: in contact before it began, so that it says nothing of its path
 };
 
 /// A robot that carries the object, as the retrieval loop knows it: simulated in this process,

@@ -72,6 +72,9 @@ class WrenchCompensator {
   /// away, and it comes back as far as gravity turns in the object's axes. 0 while not tared.
   double unknownWeight(const Pose& T_world_object) const;
 
+  /// In the axes of the object frame at the tare [m/s^2]; zero before the first one.
+  const Vec3& gravityAtTare() const { return gravity_tared_; }
+
   /// When the bias was last learnt from a sample [s]; nothing while not tared.
   std::optional<double> biasTime() const;
 

@@ -22,7 +22,7 @@ class FaultPlace {
  public:
   void observe(const FaultSign& sign) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (sign.faulted && !faulted_) place_ = {sign.time, sign.T_world_object, false};
+    if (sign.faulted && !faulted_) place_ = {sign.time, sign.T_world_object, isPressed()};
     faulted_ = sign.faulted;
     if (!place_) return;
     place_->pressed = place_->pressed || sign.presses;
@@ -38,6 +38,8 @@ class FaultPlace {
   }
 
  private:
+  bool isPressed() const { return place_ && place_->pressed; }
+
   struct Place {
     double since;  ///< [s]
     Pose T_world_object;
