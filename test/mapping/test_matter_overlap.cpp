@@ -83,6 +83,17 @@ TEST_P(Overlap, IsWhatAllPairsSay) {
   EXPECT_LT(touching, 300);
 }
 
+// Matter 300 m from the origin, in cells of a fifth of a millimetre.
+TEST(MaskedPoints, TellsPlacesApartFarFromTheOrigin) {
+  constexpr float kCell = 2e-4F;
+  for (const float far : {-300.0F, 300.0F}) {
+    const auto key = MaskedPoints::cellKey({0.0F, far, 0.0F}, kCell);
+    EXPECT_NE(key, MaskedPoints::cellKey({0.5F, far, 0.0F}, kCell));
+    EXPECT_NE(key, MaskedPoints::cellKey({0.0F, far, 0.5F}, kCell));
+    EXPECT_NE(key, MaskedPoints::cellKey({0.0F, far + 0.5F, 0.0F}, kCell));
+  }
+}
+
 // Two balls, and the same ball for all worlds: the nearer, the more of them touch.
 TEST(OverlapOfASpread, GrowsEvenlyWithHowNearTheBallsAre) {
   constexpr float kSpread = 0.5F * kDistance;
