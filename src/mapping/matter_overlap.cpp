@@ -30,9 +30,8 @@ MaskGrid nearTo(const std::vector<MaskedPoint>& points, TouchDistance distance, 
   for (int m = 0; m < kHypotheses; ++m) worlds[levelOf(m)] |= HypothesisMask{1} << m;
   MaskGrid result(cell, planar);
   for (int level = 0; level < kLevels; ++level) {
-    std::vector<MaskedPoint> part;
-    for (const MaskedPoint& point : points)
-      part.push_back({point.point, point.mask & worlds[level]});
+    std::vector<MaskedPoint> part = points;
+    for (MaskedPoint& point : part) point.mask &= worlds[level];
     const float share = (2.0F * static_cast<float>(level) + 1.0F) / kLevels - 1.0F;
     const float radius = distance.mean + share * distance.spread;
     result.add({part, std::max(radius, kLeastDistance * distance.mean), cell, planar});

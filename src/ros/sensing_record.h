@@ -22,12 +22,12 @@ std::vector<std::string> recordedTopics();
 /// The header of a connection of one's own on which the newest message is kept for who comes later.
 template <typename Message>
 boost::shared_ptr<ros::M_string> latchingHeaderOf(const Message& message) {
-  using namespace ros::message_traits;
+  namespace traits = ros::message_traits;
   return boost::make_shared<ros::M_string>(
       ros::M_string{{"latching", "1"},
-                    {"md5sum", md5sum(message)},
-                    {"message_definition", definition(message)},
-                    {"type", datatype(message)}});
+                    {"md5sum", traits::md5sum(message)},
+                    {"message_definition", traits::definition(message)},
+                    {"type", traits::datatype(message)}});
 }
 
 /// A bag of what a node is given, in the order in which it is: nothing of it is missing, whenever
