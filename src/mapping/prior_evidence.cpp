@@ -172,7 +172,7 @@ void PriorEvidence::addFreeSpace(MapSide side, const std::vector<ContactHypothes
     for (int i = 0; i < contact.count; ++i) places.push_back({points.at(i), 1});
   }
   for (const KnownBalls& other : balls(otherSide(side))) {
-    const auto distance = static_cast<float>(touched_radius_ + other.radius - other.tolerance);
+    const auto distance = other.overlapDistance(touched_radius_);
     const ForbiddenMatter forbidden(other.balls, posesTo(side, free), boxAround(places, distance),
                                     distance, distance / 3.0F, planar);
     auto place = places.begin();

@@ -117,8 +117,8 @@ std::vector<ForbiddenMatter> SurfaceExtents::forbiddenFor(MapSide side) const {
                          cell, planar_);
   const MapSide other = on_object ? MapSide::kWorld : MapSide::kObject;
   for (const KnownBalls& known : samples_.prior.balls(other)) {
-    const auto touched = static_cast<float>(feature_.radius + known.radius - known.tolerance);
-    forbidden.emplace_back(known.balls, poses, region, touched, cell, planar_);
+    forbidden.emplace_back(known.balls, poses, region, known.overlapDistance(feature_.radius), cell,
+                           planar_);
   }
   return forbidden;
 }

@@ -7,7 +7,6 @@
 
 #include "smore/common/result.h"
 #include "smore/mapping/joint_belief.h"
-#include "smore/mapping/octomap_export.h"
 #include "smore/mapping/sequential_belief.h"
 #include "smore/planning/blocked_movements.h"
 #include "smore/planning/collision_hypotheses.h"
@@ -15,6 +14,7 @@
 #include "smore/planning/cspace_planner.h"
 #include "smore/planning/map_planner.h"
 #include "smore/planning/movement_planner.h"
+#include "smore/planning/occupied_voxels.h"
 #include "smore/planning/risk_planner.h"
 #include "smore/retrieval/informed_touches.h"
 
@@ -135,12 +135,11 @@ std::unique_ptr<TouchPlanner> makeInformedTouches(const Method& method, const Sc
 void checkPriors(MethodKind kind, const Priors& priors) {
   if (kind == MethodKind::kSmore) return;
   if (kind == MethodKind::kChs) {
-    const auto has_matter = [](const Prior& piece) {
-      return std::any_of(piece.known.voxels().begin(), piece.known.voxels().end(),
-                         [](const auto& voxel) { return voxel.probability >= kOccupied; });
+    const auto is_empty = [](const Prior& piece) {
+      return occupiedVoxels(piece.known).keys.empty();
     };
     const std::vector<Prior>& object = priors.object;
-    if (!object.empty() && std::none_of(object.begin(), object.end(), has_matter)) {
+    if (!object.empty() && std::all_of(object.begin(), object.end(), is_empty)) {
       throw InputError(
           "prior: what is told of the object holds no matter, only free space; look at min and "
           "max of its sources");

@@ -10,7 +10,6 @@
 #include <optional>
 #include <sstream>
 
-#include "smore/common/result.h"
 #include "smore/ros/conversions.h"
 #include "smore/ros/interruptible_call.h"
 #include "smore/ros/names.h"
@@ -87,26 +86,18 @@ class RawForce {
   bool near_zero_ = false;
 };
 
-/// The answer of a service; a failure where there is none.
-Result<std_srvs::Trigger::Response> ask(ros::NodeHandle* node, const std::string& name,
-                                        double timeout, const std::function<bool()>& given_up) {
+/// Why a service did not do what it is for; empty where it did.
+std::string demand(ros::NodeHandle* node, const std::string& name, double timeout,
+                   const std::function<bool()>& given_up) {
   ros::ServiceClient client = node->serviceClient<std_srvs::Trigger>(name);
   std_srvs::Trigger call;
   const std::string service = "the service '" + client.getService() + "'";
   if (!waitForService(&client, timeout, given_up)) {
-    return Failure{service + " does not appear; is its node up?"};
+    return service + " does not appear; is its node up?";
   }
-  if (!callInterruptibly(client, &call, given_up)) return Failure{service + " gave no answer"};
-  return call.response;
-}
-
-/// Why a service did not do what it is for; empty where it did.
-std::string demand(ros::NodeHandle* node, const std::string& name, double timeout,
-                   const std::function<bool()>& given_up) {
-  const auto answer = ask(node, name, timeout, given_up);
-  if (!answer) return answer.reason();
-  if (answer->success != 0) return "";
-  return "the service '" + node->resolveName(name) + "' failed: " + answer->message;
+  if (!callInterruptibly(client, &call, given_up)) return service + " gave no answer";
+  if (call.response.success != 0) return "";
+  return service + " failed: " + call.response.message;
 }
 
 }  // namespace

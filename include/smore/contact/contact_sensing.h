@@ -85,7 +85,7 @@ class ContactSensing {
   std::string graspObjection() const;
 
   /// The same of a zeroing at the sensor's driver, after which it is tared: a weight that was just
-  /// gripped does not count.
+  /// gripped does not count, nor one that the last tare did not know and that has turned since.
   std::string zeroingObjection() const;
 
   /// What the last processed sample let go into the bias because the gripper keeps it after a

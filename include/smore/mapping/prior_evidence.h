@@ -32,6 +32,11 @@ struct KnownBalls {
   /// The surface may be so far from where it was told [m]: half a voxel, or the tolerance of
   /// touches where that is larger.
   double tolerance = 0.0;
+
+  /// Centres of one of these and of a touched ball that are nearer overlap for sure [m].
+  float overlapDistance(double touched_radius) const {
+    return static_cast<float>(touched_radius + radius - tolerance);
+  }
 };
 
 /// What pieces of prior knowledge say about the places of all contacts, if they are true, and about

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "smore/common/geometry.h"
+#include "smore/ros/press_watch.h"
 
 namespace smore {
 
@@ -26,7 +27,7 @@ class FaultPlace {
     faulted_ = sign.faulted;
     if (!place_) return;
     place_->pressed = place_->pressed || sign.presses;
-    const bool stands = sign.time - place_->since > kComesToRest;
+    const bool stands = sign.time - place_->since > PressWatch::kComesToRest;
     const bool moved = gapBetween(place_->T_world_object, sign.T_world_object) > kMoved;
     if (moved || (stands && !place_->pressed)) place_.reset();
   }
@@ -46,8 +47,6 @@ class FaultPlace {
     bool pressed;
   };
 
-  /// What a robot runs into as it stops is felt by then [s].
-  static constexpr double kComesToRest = 1.0;
   static constexpr double kMoved = 0.01;  ///< [m + rad]; no arm bends so far under a force that it
                                           ///< bears, so that this was a motion
 

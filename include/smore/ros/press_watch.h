@@ -12,6 +12,9 @@ namespace smore {
 /// weight of what has just been gripped does. Safe from any thread.
 class PressWatch {
  public:
+  /// What a robot runs into as it stops is felt by then [s].
+  static constexpr double kComesToRest = 1.0;
+
   /// `time` [s] of an observation. One that is unsure changes nothing: a sensor that is not tared,
   /// or feels hardly anything, is no sign.
   void observe(double time, ContactState state) {
@@ -50,9 +53,6 @@ class PressWatch {
   }
 
  private:
-  /// What a robot runs into as it stops is felt by then [s].
-  static constexpr double kComesToRest = 1.0;
-
   mutable std::mutex mutex_;
   double time_ = 0.0;  ///< of the newest observation [s]
   bool presses_ = false;
