@@ -1,73 +1,82 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/mapping/forbidden_matter.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <unordered_map>
+#include <cmath>
+
+#include "smore/common/cell_key.h"
 
 namespace smore {
 namespace {
 
-// Of the region's diagonal: balls that lie together are passed over together.
-constexpr float kBlockShare = 0.25F;
+// Cells of a tile along x and y, and along z: not much larger than the balls that are swept through
+// it, so that little is made that nobody asks for.
+constexpr int kPlanarSide = 32;
+constexpr int kSpatialSide = 16;
 
-constexpr float kHair = 1e-3F;
-
-struct Block {
-  std::vector<MaskedPoint> balls;
-  Eigen::AlignedBox3f extent;
-};
-
-std::vector<Block> blocksOf(const std::vector<MaskedPoint>& balls, float size) {
-  std::unordered_map<std::uint64_t, std::size_t> index;
-  std::vector<Block> blocks;
-  for (const MaskedPoint& ball : balls) {
-    const std::uint64_t key = MaskedPoints::cellKey(ball.point, size);
-    const std::size_t block = index.emplace(key, blocks.size()).first->second;
-    if (block == blocks.size()) blocks.emplace_back();
-    blocks[block].balls.push_back(ball);
-    blocks[block].extent.extend(ball.point);
-  }
-  return blocks;
+CellBox tileWith(const MaskBricks::Cell& cell, bool planar) {
+  return planar ? boxAround(cell, kPlanarSide, 1) : boxAround(cell, kSpatialSide, kSpatialSide);
 }
 
-// A hair more than the geometry needs makes up for rounding.
-bool mayComeInto(const Eigen::AlignedBox3f& region, const Block& block,
-                 const Eigen::Isometry3f& T) {
-  const float radius = 0.5F * block.extent.diagonal().norm();
-  const float hair = kHair * (radius + region.diagonal().norm());
-  const Eigen::Vector3f center = block.extent.center();
-  return region.exteriorDistance(T * center) <= radius + hair;
+// Of a ball around a tile, with as much more as balls overlap: what marks a cell in there may be
+// centred half a diagonal beside it.
+float reachOf(float distance, float cell, bool planar) {
+  const CellBox tile = tileWith({}, planar);
+  const auto side = static_cast<float>(tile.side);
+  const auto layers = static_cast<float>(tile.layers);
+  const float half_diagonal = 0.5F * std::sqrt(2.0F * side * side + layers * layers);
+  return distance + cell * (half_diagonal + 1.0F);
+}
+
+std::vector<Eigen::Vector3f> placesOf(const std::vector<MaskedPoint>& balls) {
+  std::vector<Eigen::Vector3f> places;
+  places.reserve(balls.size());
+  for (const MaskedPoint& ball : balls) places.push_back(ball.point);
+  return places;
 }
 
 }  // namespace
 
 ForbiddenMatter::ForbiddenMatter(const std::vector<MaskedPoint>& other,
-                                 const std::vector<Eigen::Isometry3f>& poses,
-                                 const Eigen::AlignedBox3f& region, float distance, float cell,
-                                 bool planar)
-    : swept_(cell, planar) {
-  if (region.isEmpty()) return;
-  const std::vector<Block> blocks =
-      blocksOf(other, std::max(cell, kBlockShare * region.diagonal().norm()));
-  for (const Eigen::Isometry3f& T : poses) {
-    for (const Block& block : blocks) {
-      if (!mayComeInto(region, block, T)) continue;
-      for (const MaskedPoint& ball : block.balls) {
-        const Eigen::Vector3f center = T * ball.point;
-        if (region.contains(center)) swept_.mark(center, ball.mask);
-      }
-    }
-  }
-  swept_.dilate(distance);
+                                 const std::vector<Eigen::Isometry3f>& poses, float distance,
+                                 float cell, bool planar)
+    : other_(other),
+      poses_(poses),
+      distance_(distance),
+      cell_(cell),
+      planar_(planar),
+      lattice_(cell, planar),
+      near_tile_(reachOf(distance, cell, planar)),
+      tiles_(std::make_unique<Tiles>()) {
+  near_tile_.build(placesOf(other_));
+  inverse_poses_.reserve(poses_.size());
+  for (const Eigen::Isometry3f& T : poses_) inverse_poses_.push_back(T.inverse());
 }
 
-Eigen::AlignedBox3f boxAround(const std::vector<MaskedPoint>& points, float margin) {
-  Eigen::AlignedBox3f box;
-  for (const MaskedPoint& point : points) box.extend(point.point);
-  if (box.isEmpty()) return box;
-  const Eigen::Vector3f margins = Eigen::Vector3f::Constant(margin);
-  return {box.min() - margins, box.max() + margins};
+HypothesisMask ForbiddenMatter::at(const Eigen::Vector3f& point) const {
+  if (other_.empty()) return 0;
+  const CellBox tile = tileWith(lattice_.cellAt(point), planar_);
+  Tile& known = tileAt(tile.lowest);
+  std::call_once(known.swept, [&] { known.matter = sweptThrough(tile); });
+  return known.matter.at(point);
+}
+
+ForbiddenMatter::Tile& ForbiddenMatter::tileAt(const MaskBricks::Cell& lowest) const {
+  const std::lock_guard<std::mutex> lock(tiles_->finding);
+  return tiles_->by_place[cellKey(lowest[0], lowest[1], lowest[2])];
+}
+
+MaskGrid ForbiddenMatter::sweptThrough(const CellBox& tile) const {
+  const Eigen::Vector3f lowest = Eigen::Array3i::Map(tile.lowest.data()).cast<float>();
+  const Eigen::Array3i last(tile.side - 1, tile.side - 1, tile.layers - 1);
+  const Eigen::Vector3f center = cell_ * (lowest + 0.5F * last.cast<float>().matrix());
+  MaskGrid swept = lattice_;
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    near_tile_.forNear(inverse_poses_[i] * center, [&](int ball) {
+      swept.mark(poses_[i] * other_[ball].point, other_[ball].mask);
+    });
+  }
+  swept.dilateWithin(tile, distance_);
+  return swept;
 }
 
 }  // namespace smore

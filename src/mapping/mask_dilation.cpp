@@ -13,10 +13,10 @@ namespace {
 
 constexpr float kRounding = 1e-3F;  // of squared distances in cells
 
-// Cells of the result that are made at a time: rows that are long against a ball, in half a
+// Cells of the whole that are made at a time: rows that are long against a ball, in half a
 // megabyte.
-constexpr int kTileSide = 64;
-constexpr int kTileLayers = 16;
+constexpr int kBoxSide = 64;
+constexpr int kBoxLayers = 16;
 
 using Cell = MaskBricks::Cell;
 
@@ -64,45 +64,43 @@ int floorTo(int value, int step) { return value - ((value % step) + step) % step
 class Dilation {
  public:
   Dilation(const MaskBricks& marked, float radius)
-      : marked_(marked),
-        ball_(rowsOfBall(radius, marked.flat())),
-        layers_(marked.flat() ? 1 : kTileLayers) {
+      : marked_(marked), ball_(rowsOfBall(radius, marked.flat())) {
     for (const BallRow& row : ball_) {
       reach_ = std::max(reach_, row.half_length);
       height_ = std::max(height_, row.z);
     }
   }
 
-  // The lowest cells of all tiles that a ball around a marked cell may reach.
-  std::vector<Cell> tiles() const {
-    std::set<Cell> tiles;
+  // All boxes that a ball around a marked cell may reach, of those that fill the lattice.
+  std::vector<CellBox> boxes() const {
+    const int layers = marked_.flat() ? 1 : kBoxLayers;
+    std::set<Cell> lowest;
     const int side = MaskBricks::kSide - 1 + reach_;
     const int top = marked_.layers() - 1 + height_;
-    for (const Cell& brick : marked_.bricks()) {
-      Cell tile;
-      for (tile[2] = floorTo(brick[2] - height_, layers_); tile[2] <= brick[2] + top;
-           tile[2] += layers_) {
-        for (tile[1] = floorTo(brick[1] - reach_, kTileSide); tile[1] <= brick[1] + side;
-             tile[1] += kTileSide) {
-          for (tile[0] = floorTo(brick[0] - reach_, kTileSide); tile[0] <= brick[0] + side;
-               tile[0] += kTileSide) {
-            tiles.insert(tile);
-          }
+    for (const auto& [x, y, z] : marked_.bricks()) {
+      const Cell first = boxAround({x - reach_, y - reach_, z - height_}, kBoxSide, layers).lowest;
+      Cell at;
+      for (at[2] = first[2]; at[2] <= z + top; at[2] += layers) {
+        for (at[1] = first[1]; at[1] <= y + side; at[1] += kBoxSide) {
+          for (at[0] = first[0]; at[0] <= x + side; at[0] += kBoxSide) lowest.insert(at);
         }
       }
     }
-    return {tiles.begin(), tiles.end()};
+    std::vector<CellBox> boxes;
+    boxes.reserve(lowest.size());
+    for (const Cell& cell : lowest) boxes.push_back({cell, kBoxSide, layers});
+    return boxes;
   }
 
-  MaskBricks dilatedIn(const Cell& tile) const {
-    const int width = kTileSide + 2 * reach_;
-    Tile result{
-        tile,
-        {tile[0] - reach_, tile[1] - reach_, tile[2] - height_},
-        {tile[0] + kTileSide + reach_, tile[1] + kTileSide + reach_, tile[2] + layers_ + height_},
-        std::vector<HypothesisMask>(static_cast<std::size_t>(kTileSide) * kTileSide * layers_),
-        std::vector<HypothesisMask>(width),
-        std::vector<HypothesisMask>(width)};
+  MaskBricks dilatedIn(const CellBox& box) const {
+    const auto& [first, side, layers] = box;
+    const int width = side + 2 * reach_;
+    Tile result{box,
+                {first[0] - reach_, first[1] - reach_, first[2] - height_},
+                {first[0] + side + reach_, first[1] + side + reach_, first[2] + layers + height_},
+                std::vector<HypothesisMask>(static_cast<std::size_t>(side) * side * layers),
+                std::vector<HypothesisMask>(width),
+                std::vector<HypothesisMask>(width)};
     Cell brick = result.low;
     for (brick[2] = floorTo(brick[2], marked_.layers()); brick[2] < result.high[2];
          brick[2] += marked_.layers()) {
@@ -116,8 +114,8 @@ class Dilation {
 
  private:
   struct Tile {
-    Cell first;  // its lowest cell
-    Cell low;    // of the cells whose balls may reach it, and beyond the highest of them
+    CellBox box;
+    Cell low;  // of the cells whose balls may reach it, and beyond the highest of them
     Cell high;
     std::vector<HypothesisMask> masks;
     std::vector<HypothesisMask> row;      // of marked cells
@@ -146,20 +144,22 @@ class Dilation {
       for (; half_length < of_ball.half_length; ++half_length) {
         widen(tile->row, half_length + 1, &tile->widened);
       }
-      const int y = row_y + of_ball.y - tile->first[1];
-      const int z = row_z + of_ball.z - tile->first[2];
-      if (y < 0 || y >= kTileSide || z < 0 || z >= layers_) continue;
-      unite(&tile->widened[reach_], kTileSide, &tile->masks[(z * kTileSide + y) * kTileSide]);
+      const auto& [first, side, layers] = tile->box;
+      const int y = row_y + of_ball.y - first[1];
+      const int z = row_z + of_ball.z - first[2];
+      if (y < 0 || y >= side || z < 0 || z >= layers) continue;
+      unite(&tile->widened[reach_], side, &tile->masks[(z * side + y) * side]);
     }
   }
 
   MaskBricks inBricks(const Tile& tile) const {
+    const auto& [first, side, layers] = tile.box;
     MaskBricks result(marked_.flat());
     const HypothesisMask* row = tile.masks.data();
-    for (int z = 0; z < layers_; ++z) {
-      for (int y = 0; y < kTileSide; ++y) {
-        for (int x = 0; x < kTileSide; x += MaskBricks::kSide, row += MaskBricks::kSide) {
-          result.markRow({tile.first[0] + x, tile.first[1] + y, tile.first[2] + z}, row);
+    for (int z = 0; z < layers; ++z) {
+      for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; x += MaskBricks::kSide, row += MaskBricks::kSide) {
+          result.markRow({first[0] + x, first[1] + y, first[2] + z}, row);
         }
       }
     }
@@ -168,21 +168,28 @@ class Dilation {
 
   const MaskBricks& marked_;
   std::vector<BallRow> ball_;
-  int layers_;
   int reach_ = 0;   ///< of the ball along x and y
   int height_ = 0;  ///< of the ball along z
 };
 
 }  // namespace
 
+CellBox boxAround(const Cell& cell, int side, int layers) {
+  return {{floorTo(cell[0], side), floorTo(cell[1], side), floorTo(cell[2], layers)}, side, layers};
+}
+
 MaskBricks dilated(const MaskBricks& marked, float radius) {
   const Dilation dilation(marked, radius);
-  const std::vector<Cell> tiles = dilation.tiles();
-  std::vector<MaskBricks> parts(tiles.size());
-  parallelFor(tiles.size(), [&](std::size_t i) { parts[i] = dilation.dilatedIn(tiles[i]); });
+  const std::vector<CellBox> boxes = dilation.boxes();
+  std::vector<MaskBricks> parts(boxes.size());
+  parallelFor(boxes.size(), [&](std::size_t i) { parts[i] = dilation.dilatedIn(boxes[i]); });
   MaskBricks result(marked.flat());
   result.add(parts);
   return result;
+}
+
+MaskBricks dilated(const MaskBricks& marked, float radius, const CellBox& box) {
+  return Dilation(marked, radius).dilatedIn(box);
 }
 
 }  // namespace smore

@@ -94,9 +94,8 @@ void addOverlaps(const KnownBalls& object, const KnownBalls& world, const FreeSp
   const double touching = object.radius + world.radius;
   const auto distance =
       static_cast<float>(std::max(touching - object.tolerance - world.tolerance, 0.25 * touching));
-  const ForbiddenMatter forbidden(world.balls, posesTo(MapSide::kObject, free),
-                                  boxAround(object.balls, distance), distance, distance / 3.0F,
-                                  planar);
+  const ForbiddenMatter forbidden(world.balls, posesTo(MapSide::kObject, free), distance,
+                                  distance / 3.0F, planar);
   for (const MaskedPoint& ball : object.balls) {
     const PriorMask in_world = forbidden.at(ball.point);
     forEachBit(ball.mask, [&](int p) {
@@ -173,8 +172,8 @@ void PriorEvidence::addFreeSpace(MapSide side, const std::vector<ContactHypothes
   }
   for (const KnownBalls& other : balls(otherSide(side))) {
     const auto distance = other.overlapDistance(touched_radius_);
-    const ForbiddenMatter forbidden(other.balls, posesTo(side, free), boxAround(places, distance),
-                                    distance, distance / 3.0F, planar);
+    const ForbiddenMatter forbidden(other.balls, posesTo(side, free), distance, distance / 3.0F,
+                                    planar);
     auto place = places.begin();
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       for (int i = 0; i < contacts[k].count; ++i, ++place) {

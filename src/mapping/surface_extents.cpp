@@ -106,18 +106,13 @@ std::vector<ForbiddenMatter> SurfaceExtents::forbiddenFor(MapSide side) const {
     for (Eigen::Isometry3f& T : poses) T = T.inverse();
   }
   const auto distance = static_cast<float>(feature_.conflictDistance());
-  // What joins touches lies between them, a patch as far beside and behind them as it is large and
-  // deep; what forbids either may lie as far beside that as balls touch.
-  const float margin = distance + longestWay(side);
-  const MaskedPoints& matter = on_object ? object_ : world_;
   const float cell = latticeCell(feature_);
-  const Eigen::AlignedBox3f region = boxAround(matter.points(), margin);
   std::vector<ForbiddenMatter> forbidden;
-  forbidden.emplace_back(on_object ? world_.points() : object_.points(), poses, region, distance,
-                         cell, planar_);
+  forbidden.emplace_back(on_object ? world_.points() : object_.points(), poses, distance, cell,
+                         planar_);
   const MapSide other = on_object ? MapSide::kWorld : MapSide::kObject;
   for (const KnownBalls& known : samples_.prior.balls(other)) {
-    forbidden.emplace_back(known.balls, poses, region, known.overlapDistance(feature_.radius), cell,
+    forbidden.emplace_back(known.balls, poses, known.overlapDistance(feature_.radius), cell,
                            planar_);
   }
   return forbidden;
@@ -150,12 +145,6 @@ double SurfaceExtents::longestRadius(MapSide side) const {
 double SurfaceExtents::radiusOf(MapSide side, int hypothesis) const {
   const int order = side == MapSide::kObject ? secondOrder(hypothesis) : hypothesis;
   return sizeOf(order, extent_.shortest, longestRadius(side));
-}
-
-float SurfaceExtents::longestWay(MapSide side) const {
-  const double depth = side == MapSide::kObject ? extent_.object_longest : 0.0;
-  const double radius = goesOnAlong(side) ? longestRadius(side) : 0.0;
-  return static_cast<float>(std::hypot(radius, depth));
 }
 
 double SurfaceExtents::stepOf() const {

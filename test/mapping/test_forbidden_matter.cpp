@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
+#include <thread>
 
 #include "smore/mapping/forbidden_matter.h"
 
@@ -54,9 +56,7 @@ TEST(ForbiddenMatter, IsWhereTheOtherSideWasToTheAccuracyOfItsCells) {
   const std::vector<MaskedPoint> balls = random.balls(80);
   std::vector<Eigen::Isometry3f> poses;
   for (int i = 0; i < 12; ++i) poses.push_back(random.pose());
-  const Eigen::AlignedBox3f region(Eigen::Vector3f::Constant(-0.3F),
-                                   Eigen::Vector3f::Constant(0.3F));
-  const ForbiddenMatter forbidden(balls, poses, region, kDistance, kCell, false);
+  const ForbiddenMatter forbidden(balls, poses, kDistance, kCell, false);
   // A ball and the point that is asked for are each at most half a diagonal from their cells.
   const float error = kCell * std::sqrt(3.0F);
   int some = 0;
@@ -68,14 +68,6 @@ TEST(ForbiddenMatter, IsWhereTheOtherSideWasToTheAccuracyOfItsCells) {
     some += mask != 0 ? 1 : 0;
   }
   EXPECT_GT(some, 1000);
-}
-
-TEST(ForbiddenMatter, EndsWithItsRegion) {
-  const Eigen::AlignedBox3f region(Eigen::Vector3f::Zero(), Eigen::Vector3f::Constant(0.1F));
-  const ForbiddenMatter forbidden({{Eigen::Vector3f::Constant(0.1F), 1}},
-                                  {Eigen::Isometry3f::Identity()}, region, kDistance, kCell, false);
-  EXPECT_EQ(forbidden.at(Eigen::Vector3f::Constant(0.09F)), 1U);
-  EXPECT_EQ(forbidden.at(Eigen::Vector3f::Constant(0.13F)), 0U);
 }
 
 // Points on a lattice of two cells lie in the middle of cells: so do those that are asked for.
@@ -108,36 +100,84 @@ TEST(MaskGrid, BallsAreAsExactInALargeRoom) {
   compareBallsWithAllPairs(balls, 5000);
 }
 
-// Most matter of a large room never comes near a small region: what does is found nonetheless.
-TEST(ForbiddenMatter, OfALargeRoomIsWhatComesIntoItsRegion) {
-  Random random;
-  std::vector<MaskedPoint> balls = random.balls(20000);
-  for (MaskedPoint& ball : balls) ball.point *= 10.0F;  // 4 m wide
-  std::vector<Eigen::Isometry3f> poses;
-  for (int i = 0; i < 40; ++i) poses.push_back(random.pose());
-  Eigen::AlignedBox3f region(Eigen::Vector3f::Constant(-0.1F), Eigen::Vector3f::Constant(0.1F));
-  region.translate(Eigen::Vector3f(0.7F, 0.2F, -0.4F));
-  MaskGrid swept(kCell, false);
+struct Room {
+  float size;      // of the other side, a multiple of 0.4 m
+  float distance;  // [m]
+  bool planar;
+};
+
+// All of the other side's matter swept at once, where it comes into the region.
+MaskGrid sweptAtOnce(const std::vector<MaskedPoint>& balls,
+                     const std::vector<Eigen::Isometry3f>& poses, const Eigen::AlignedBox3f& region,
+                     const Room& room) {
+  MaskGrid swept(kCell, room.planar);
   for (const Eigen::Isometry3f& T : poses) {
     for (const MaskedPoint& ball : balls) {
       const Eigen::Vector3f center = T * ball.point;
       if (region.contains(center)) swept.mark(center, ball.mask);
     }
   }
-  swept.dilate(kDistance);
-  const ForbiddenMatter forbidden(balls, poses, region, kDistance, kCell, false);
-  int some = 0;
-  for (int i = 0; i < 4000; ++i) {
-    const Eigen::Vector3f point = region.center() + random.point(0.14F);
-    EXPECT_EQ(forbidden.at(point), swept.at(point)) << i;
-    some += forbidden.at(point) != 0 ? 1 : 0;
-  }
-  EXPECT_GT(some, 1000);
+  swept.dilate(room.distance);
+  return swept;
 }
 
+Eigen::Isometry3f inPlane(const Eigen::Isometry3f& T) {
+  Eigen::Isometry3f result = Eigen::Isometry3f::Identity();
+  result.linear() =
+      Eigen::AngleAxisf(10.0F * T.translation().z(), Eigen::Vector3f::UnitZ()).toRotationMatrix();
+  result.translation() << T.translation().head<2>(), 0.0F;
+  return result;
+}
+
+class SweptInTiles : public testing::TestWithParam<Room> {};
+
+// The places that are asked for straddle the borders of tiles; threads ask for the same ones.
+TEST_P(SweptInTiles, IsWhatIsSweptAtOnce) {
+  const Room room = GetParam();
+  Random random;
+  std::vector<MaskedPoint> balls = random.balls(room.planar ? 60 : 20000);
+  std::vector<Eigen::Isometry3f> poses;
+  for (int i = 0; i < 40; ++i) poses.push_back(random.pose());
+  for (MaskedPoint& ball : balls) ball.point *= room.size;
+  Eigen::Vector3f center(0.7F, 0.2F, -0.4F);
+  if (room.planar) {
+    center.z() = 0.0F;
+    for (MaskedPoint& ball : balls) ball.point.z() = 0.0F;
+    for (Eigen::Isometry3f& T : poses) T = inPlane(T);
+  }
+  const Eigen::Vector3f half = Eigen::Vector3f::Constant(0.14F + room.distance + kCell);
+  const MaskGrid swept = sweptAtOnce(balls, poses, {center - half, center + half}, room);
+  const ForbiddenMatter forbidden(balls, poses, room.distance, kCell, room.planar);
+  std::vector<Eigen::Vector3f> asked;
+  for (int i = 0; i < 4000; ++i) {
+    asked.push_back(center + random.point(0.14F));
+    if (room.planar) asked.back().z() = 0.0F;
+  }
+  constexpr std::size_t kThreads = 4;
+  std::array<std::vector<HypothesisMask>, kThreads> told;
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t < kThreads; ++t) {
+    threads.emplace_back([&, t] {
+      for (const Eigen::Vector3f& point : asked) told[t].push_back(forbidden.at(point));
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  int some = 0;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const HypothesisMask expected = swept.at(asked[i]);
+    for (const auto& of_thread : told) ASSERT_EQ(of_thread[i], expected) << i;
+    some += expected != 0 ? 1 : 0;
+  }
+  EXPECT_GT(some, 1000);
+  EXPECT_LT(some, 4000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rooms, SweptInTiles,
+                         testing::Values(Room{10.0F, kDistance, false}, Room{20.0F, 0.1F, false},
+                                         Room{10.0F, kDistance, true}, Room{20.0F, 0.06F, true}));
+
 TEST(ForbiddenMatter, WithoutTouchesNothingIsForbidden) {
-  const ForbiddenMatter forbidden({}, {Eigen::Isometry3f::Identity()}, boxAround({}, 0.6F),
-                                  kDistance, kCell, false);
+  const ForbiddenMatter forbidden({}, {Eigen::Isometry3f::Identity()}, kDistance, kCell, false);
   EXPECT_EQ(forbidden.at(Eigen::Vector3f::Zero()), 0U);
 }
 
@@ -145,9 +185,8 @@ TEST(ForbiddenMatter, WithoutTouchesNothingIsForbidden) {
 TEST(MaskGrid, OfSpatialPointsAtHeightZeroReachesAboveAndBelow) {
   const MaskGrid grid({{Eigen::Vector3f(0.1F, 0.2F, 0.0F), 5}}, kDistance, kCell, false);
   for (const float z : {-0.03F, 0.03F}) EXPECT_EQ(grid.at(Eigen::Vector3f(0.1F, 0.2F, z)), 5U);
-  const ForbiddenMatter forbidden(
-      {{Eigen::Vector3f(0.1F, 0.2F, 0.03F), 3}}, {Eigen::Isometry3f::Identity()},
-      boxAround({{Eigen::Vector3f(0.1F, 0.2F, 0.0F), 3}}, 0.1F), kDistance, kCell, false);
+  const ForbiddenMatter forbidden({{Eigen::Vector3f(0.1F, 0.2F, 0.03F), 3}},
+                                  {Eigen::Isometry3f::Identity()}, kDistance, kCell, false);
   EXPECT_EQ(forbidden.at(Eigen::Vector3f(0.1F, 0.2F, 0.05F)), 3U);
 }
 

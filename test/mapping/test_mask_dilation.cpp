@@ -55,6 +55,8 @@ TEST_P(Dilated, HoldsTheMasksOfAllMarkedCellsThatAreNearer) {
   MaskBricks bricks(given.flat);
   for (const auto& [cell, mask] : marked) bricks.mark(cell[0], cell[1], cell[2], mask);
   const MaskBricks result = dilated(bricks, given.radius);
+  const CellBox box = boxAround({3, -9, -1}, 8, given.flat ? 1 : 8);
+  const MaskBricks in_one_box = dilated(bricks, given.radius, box);
   const int side = given.half_side + static_cast<int>(given.radius) + 1;
   const int height = given.flat ? 0 : side;
   int filled = 0;
@@ -64,6 +66,9 @@ TEST_P(Dilated, HoldsTheMasksOfAllMarkedCellsThatAreNearer) {
         const HypothesisMask expected = ofAllPairs(marked, {x, y, z}, given.radius);
         ASSERT_EQ(result.at(x, y, z), expected) << x << ' ' << y << ' ' << z;
         ASSERT_EQ(*result.maskAt(result.placeOf(x, y, z)), expected) << "in two steps";
+        const bool in_box = x >= 0 && x < 8 && y >= -16 && y < -8 && z >= box.lowest[2] &&
+                            z < box.lowest[2] + box.layers;
+        ASSERT_EQ(in_one_box.at(x, y, z), in_box ? expected : 0) << "in one box";
         filled += expected != 0 ? 1 : 0;
       }
     }

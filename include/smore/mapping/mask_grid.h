@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "smore/mapping/mask_bricks.h"
+#include "smore/mapping/mask_dilation.h"
 
 namespace smore {
 
@@ -57,6 +58,14 @@ class MaskGrid {
 
   /// Turns each marked cell into a ball of `radius` [m] around its centre.
   void dilate(float radius);
+
+  /// The same within a box of cells; outside of it no matter is left.
+  void dilateWithin(const CellBox& box, float radius);
+
+  /// The cell that holds a point.
+  MaskBricks::Cell cellAt(const Eigen::Vector3f& point) const {
+    return {cellOf(point.x()), cellOf(point.y()), cellOf(point.z())};
+  }
 
   HypothesisMask at(const Eigen::Vector3f& point) const {
     return bricks_.at(cellOf(point.x()), cellOf(point.y()), cellOf(point.z()));

@@ -67,8 +67,6 @@ class SurfaceExtents {
   double longestRadius(MapSide side) const;
   /// How far surfaces of that side go on in this hypothesis [m].
   double radiusOf(MapSide side, int hypothesis) const;
-  /// From a touch to the farthest point of its patch [m].
-  float longestWay(MapSide side) const;
   /// Between neighbouring points of a patch [m].
   double stepOf() const;
 
