@@ -49,6 +49,14 @@ Pose projectedToPlane(const Pose& pose) {
   return makePose({pose.translation().x(), pose.translation().y(), 0.0}, {0.0, 0.0, angle});
 }
 
+bool isNearPlane(const Pose& T_plane_object) {
+  constexpr double kHeight = 0.01;  // [m]
+  constexpr double kTilt = 0.05;    // [rad]
+  const Vec3 axis = T_plane_object.linear().col(2);
+  return std::abs(T_plane_object.translation().z()) <= kHeight && axis.z() > 0.0 &&
+         axis.head<2>().norm() <= std::sin(kTilt);
+}
+
 double angleBetween(const Pose& a, const Pose& b) {
   return Eigen::Quaterniond(a.linear()).angularDistance(Eigen::Quaterniond(b.linear()));
 }

@@ -4,9 +4,14 @@
 namespace smore {
 
 bool EvidenceFilter::keeps(const ContactObservation& observation) {
-  if (!isNew(observation)) return false;
+  if (isElsewhere(observation.T_world_object) || !isNew(observation)) return false;
   last_ = observation;
   return true;
+}
+
+bool EvidenceFilter::isElsewhere(const Pose& T_world_object) const {
+  if (!spacing_.T_world_plane) return false;
+  return !isNearPlane(spacing_.T_world_plane->inverse() * T_world_object);
 }
 
 bool EvidenceFilter::isNew(const ContactObservation& observation) const {

@@ -120,7 +120,8 @@ class UncertainLine {
 
 void addPlace(const Pose& T_map_object, const Vec3& place, const Vec3& normal,
               const FeatureParameters& parameters, ContactHypotheses* result) {
-  if (place.norm() > parameters.reach) return;
+  const double distance = place.norm();
+  if (std::isnan(distance) || distance > parameters.reach) return;  // a line may lack a direction
   const Vec3 object = place + parameters.radius * normal;
   const int i = result->count++;
   result->object.set(i, object);

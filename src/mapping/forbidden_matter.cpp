@@ -41,7 +41,7 @@ ForbiddenMatter::ForbiddenMatter(const std::vector<MaskedPoint>& other,
                                  float cell, bool planar)
     : other_(other),
       poses_(poses),
-      distance_(distance),
+      radius_(distance * (1.0F / cell)),
       cell_(cell),
       planar_(planar),
       lattice_(cell, planar),
@@ -54,10 +54,11 @@ ForbiddenMatter::ForbiddenMatter(const std::vector<MaskedPoint>& other,
 
 HypothesisMask ForbiddenMatter::at(const Eigen::Vector3f& point) const {
   if (other_.empty()) return 0;
-  const CellBox tile = tileWith(lattice_.cellAt(point), planar_);
+  const MaskBricks::Cell cell = lattice_.cellAt(point);
+  const CellBox tile = tileWith(cell, planar_);
   Tile& known = tileAt(tile.lowest);
   std::call_once(known.swept, [&] { known.matter = sweptThrough(tile); });
-  return known.matter.at(point);
+  return known.matter.at(cell);
 }
 
 ForbiddenMatter::Tile& ForbiddenMatter::tileAt(const MaskBricks::Cell& lowest) const {
@@ -65,18 +66,17 @@ ForbiddenMatter::Tile& ForbiddenMatter::tileAt(const MaskBricks::Cell& lowest) c
   return tiles_->by_place[cellKey(lowest[0], lowest[1], lowest[2])];
 }
 
-MaskGrid ForbiddenMatter::sweptThrough(const CellBox& tile) const {
+MaskBox ForbiddenMatter::sweptThrough(const CellBox& tile) const {
   const Eigen::Vector3f lowest = Eigen::Array3i::Map(tile.lowest.data()).cast<float>();
   const Eigen::Array3i last(tile.side - 1, tile.side - 1, tile.layers - 1);
   const Eigen::Vector3f center = cell_ * (lowest + 0.5F * last.cast<float>().matrix());
-  MaskGrid swept = lattice_;
+  MaskBox swept(widened(tile, radius_, planar_));
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     near_tile_.forNear(inverse_poses_[i] * center, [&](int ball) {
-      swept.mark(poses_[i] * other_[ball].point, other_[ball].mask);
+      swept.mark(lattice_.cellAt(poses_[i] * other_[ball].point), other_[ball].mask);
     });
   }
-  swept.dilateWithin(tile, distance_);
-  return swept;
+  return dilated(swept, radius_, planar_, tile);
 }
 
 }  // namespace smore

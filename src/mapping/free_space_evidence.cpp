@@ -48,6 +48,23 @@ bool FreeSpaceEvidence::addPose(const Pose& T_map_object) {
   return true;
 }
 
+// The places of different contacts on the object write into different tables.
+void FreeSpaceEvidence::addPoses(const std::vector<Pose>& T_map_object) {
+  const std::size_t known = poses_.size();
+  for (const Pose& pose : T_map_object) {
+    if (cells_.add(pose)) poses_.push_back(cells_.centerOf(pose).cast<float>());
+  }
+  parallelFor(first_place_.size(), [&](std::size_t contact) {
+    const bool is_last = contact + 1 == first_place_.size();
+    const int end = is_last ? static_cast<int>(contact_of_.size()) : first_place_[contact + 1];
+    for (auto T = poses_.begin() + static_cast<std::ptrdiff_t>(known); T != poses_.end(); ++T) {
+      for (int i = first_place_[contact]; i < end; ++i) {
+        world_index_.forNear(*T * object_places_[i], [&](int j) { mark(i, j); });
+      }
+    }
+  });
+}
+
 void FreeSpaceEvidence::insertContact(int contact, const ContactHypotheses& places) {
   const bool is_last = contact == static_cast<int>(first_place_.size());
   const int first = is_last ? static_cast<int>(contact_of_.size()) : first_place_[contact];

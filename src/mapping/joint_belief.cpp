@@ -200,8 +200,10 @@ EvidenceAtUnit& JointBelief::atUnit(int index, const DrawnByUnit& drawn) const {
   const auto metres = [told](int unit) { return told > 0.0 ? told : unitOfLength(unit); };
   EvidenceAtUnit made(parameters_, frame_, metres(units.first), metres(units.second));
   EvidenceAtUnit& evidence = at_unit_.emplace(units, std::move(made)).first->second;
-  for (const Pose& pose : trail_) evidence.addFree(toMap(pose));
   for (const auto& entry : contacts_) evidence.addContact(entry.second);
+  std::vector<Pose> free(trail_.size());
+  std::transform(trail_.begin(), trail_.end(), free.begin(), [this](auto& T) { return toMap(T); });
+  evidence.addFree(free);
   return evidence;
 }
 

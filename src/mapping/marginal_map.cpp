@@ -79,7 +79,7 @@ VoxelGrid marginalMap(const Worlds& worlds, MapSide side, double voxel_size) {
 const VoxelGrid& MarginalMaps::of(const std::shared_ptr<const Worlds>& worlds, MapSide side) {
   const std::lock_guard<std::mutex> lock(*making_);
   Made& made = made_[side];
-  if (made.of != worlds) made = {worlds, marginalMap(*worlds, side, voxel_size_)};
+  if (made.of.lock() != worlds) made = {worlds, marginalMap(*worlds, side, voxel_size_)};
   return *made.map;
 }
 

@@ -77,10 +77,10 @@ void MaskBricks::add(const std::vector<MaskBricks>& others) {
   std::size_t most = masks_.size();
   for (const MaskBricks& other : others) most += other.masks_.size();
   masks_.reserve(most);
-  for (const MaskBricks& other : others) addOne(other);
+  for (const MaskBricks& other : others) add(other);
 }
 
-void MaskBricks::addOne(const MaskBricks& other) {
+void MaskBricks::add(const MaskBricks& other) {
   const HypothesisMask* source = other.masks_.data();
   for (const Cell& cell : other.lowest_cells_) {
     HypothesisMask* brick = &masks_[findOrAdd(cell)];

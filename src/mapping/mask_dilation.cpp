@@ -49,36 +49,84 @@ SMORE_WIDE_VECTORS void unite(const HypothesisMask* source, int count,
   for (int i = 0; i < count; ++i) destination[i] |= source[i];
 }
 
-// Adds to `widened` what is in the cells `distance` away on both sides.
-void widen(const std::vector<HypothesisMask>& row, int distance,
-           std::vector<HypothesisMask>* widened) {
-  const int width = static_cast<int>(row.size());
-  if (distance >= width) return;
-  if (distance == 0) *widened = row;
-  unite(&row[distance], width - distance, widened->data());
-  unite(row.data(), width - distance, &(*widened)[distance]);
+bool areZero(const HypothesisMask* row, int count) {
+  HypothesisMask any = 0;
+  for (int i = 0; i < count; ++i) any |= row[i];
+  return any == 0;
 }
 
 int floorTo(int value, int step) { return value - ((value % step) + step) % step; }
 
-class Dilation {
+// A ball around each marked cell, row by row.
+class Ball {
  public:
-  Dilation(const MaskBricks& marked, float radius)
-      : marked_(marked), ball_(rowsOfBall(radius, marked.flat())) {
-    for (const BallRow& row : ball_) {
+  Ball(float radius, bool flat) : rows_(rowsOfBall(radius, flat)) {
+    for (const BallRow& row : rows_) {
       reach_ = std::max(reach_, row.half_length);
       height_ = std::max(height_, row.z);
     }
   }
 
+  int reach() const { return reach_; }    ///< along x and y
+  int height() const { return height_; }  ///< along z
+
+  // Adds to `result` the balls around a row of marked cells along x, at the y and z of its box,
+  // from `reach` cells before the box to as many behind it. A ball is rows along x, each of its own
+  // half length: the marked row is widened once for each of these lengths. `widened` is scratch, as
+  // long as the row.
+  void addAround(const HypothesisMask* row, int row_y, int row_z,
+                 std::vector<HypothesisMask>* widened, MaskBox* result) const {
+    const CellBox& box = result->box();
+    int half_length = -1;
+    for (const BallRow& of_ball : rows_) {
+      for (; half_length < of_ball.half_length; ++half_length) {
+        widen(row, half_length + 1, widened);
+      }
+      const int y = row_y + of_ball.y;
+      const int z = row_z + of_ball.z;
+      if (y < 0 || y >= box.side || z < 0 || z >= box.layers) continue;
+      unite(&(*widened)[reach_], box.side, result->row(y, z));
+    }
+  }
+
+ private:
+  // Adds to `widened` what is in the cells `distance` away on both sides.
+  static void widen(const HypothesisMask* row, int distance, std::vector<HypothesisMask>* widened) {
+    const int width = static_cast<int>(widened->size());
+    if (distance >= width) return;
+    if (distance == 0) std::copy_n(row, width, widened->data());
+    unite(row + distance, width - distance, widened->data());
+    unite(row, width - distance, &(*widened)[distance]);
+  }
+
+  std::vector<BallRow> rows_;
+  int reach_ = 0;
+  int height_ = 0;
+};
+
+CellBox widenedBy(const Ball& ball, const CellBox& box) {
+  const auto& [low, side, layers] = box;
+  return {{low[0] - ball.reach(), low[1] - ball.reach(), low[2] - ball.height()},
+          side + 2 * ball.reach(),
+          layers + 2 * ball.height()};
+}
+
+// Of marked bricks.
+class Dilation {
+ public:
+  Dilation(const MaskBricks& marked, float radius)
+      : marked_(marked), ball_(radius, marked.flat()) {}
+
   // All boxes that a ball around a marked cell may reach, of those that fill the lattice.
   std::vector<CellBox> boxes() const {
     const int layers = marked_.flat() ? 1 : kBoxLayers;
     std::set<Cell> lowest;
-    const int side = MaskBricks::kSide - 1 + reach_;
-    const int top = marked_.layers() - 1 + height_;
+    const int side = MaskBricks::kSide - 1 + ball_.reach();
+    const int top = marked_.layers() - 1 + ball_.height();
     for (const auto& [x, y, z] : marked_.bricks()) {
-      const Cell first = boxAround({x - reach_, y - reach_, z - height_}, kBoxSide, layers).lowest;
+      const Cell first =
+          boxAround({x - ball_.reach(), y - ball_.reach(), z - ball_.height()}, kBoxSide, layers)
+              .lowest;
       Cell at;
       for (at[2] = first[2]; at[2] <= z + top; at[2] += layers) {
         for (at[1] = first[1]; at[1] <= y + side; at[1] += kBoxSide) {
@@ -93,73 +141,52 @@ class Dilation {
   }
 
   MaskBricks dilatedIn(const CellBox& box) const {
-    const auto& [first, side, layers] = box;
-    const int width = side + 2 * reach_;
-    Tile result{box,
-                {first[0] - reach_, first[1] - reach_, first[2] - height_},
-                {first[0] + side + reach_, first[1] + side + reach_, first[2] + layers + height_},
-                std::vector<HypothesisMask>(static_cast<std::size_t>(side) * side * layers),
-                std::vector<HypothesisMask>(width),
-                std::vector<HypothesisMask>(width)};
-    Cell brick = result.low;
-    for (brick[2] = floorTo(brick[2], marked_.layers()); brick[2] < result.high[2];
+    Tile tile{MaskBox(box), widenedBy(ball_, box), {}, {}};
+    tile.row.resize(tile.around.side);
+    tile.widened.resize(tile.around.side);
+    const Cell& low = tile.around.lowest;
+    Cell brick = low;
+    for (brick[2] = floorTo(low[2], marked_.layers()); brick[2] < low[2] + tile.around.layers;
          brick[2] += marked_.layers()) {
-      for (brick[1] = floorTo(result.low[1], MaskBricks::kSide); brick[1] < result.high[1];
+      for (brick[1] = floorTo(low[1], MaskBricks::kSide); brick[1] < low[1] + tile.around.side;
            brick[1] += MaskBricks::kSide) {
-        addRowsAt(brick, &result);
+        addRowsAt(brick, &tile);
       }
     }
-    return inBricks(result);
+    return inBricks(tile.masks);
   }
 
  private:
   struct Tile {
-    CellBox box;
-    Cell low;  // of the cells whose balls may reach it, and beyond the highest of them
-    Cell high;
-    std::vector<HypothesisMask> masks;
+    MaskBox masks;
+    CellBox around;                       // the cells whose balls may reach it
     std::vector<HypothesisMask> row;      // of marked cells
     std::vector<HypothesisMask> widened;  // that row
   };
 
   // All rows that lie in the same bricks as the one from `brick` on.
   void addRowsAt(const Cell& brick, Tile* tile) const {
-    const auto width = static_cast<int>(tile->row.size());
-    const MaskBricks::BricksOfRow bricks = marked_.bricksOfRow(brick, width);
+    const auto& [low, side, layers] = tile->around;
+    const Cell& first = tile->masks.box().lowest;
+    const MaskBricks::BricksOfRow bricks = marked_.bricksOfRow(brick, side);
     if (bricks.empty()) return;
-    const int end_y = std::min(tile->high[1], brick[1] + MaskBricks::kSide);
-    const int end_z = std::min(tile->high[2], brick[2] + marked_.layers());
-    for (int z = std::max(tile->low[2], brick[2]); z < end_z; ++z) {
-      for (int y = std::max(tile->low[1], brick[1]); y < end_y; ++y) {
-        if (marked_.row({brick[0], y, z}, width, bricks, tile->row.data())) addBalls(y, z, tile);
+    const int end_y = std::min(low[1] + side, brick[1] + MaskBricks::kSide);
+    const int end_z = std::min(low[2] + layers, brick[2] + marked_.layers());
+    for (int z = std::max(low[2], brick[2]); z < end_z; ++z) {
+      for (int y = std::max(low[1], brick[1]); y < end_y; ++y) {
+        if (!marked_.row({brick[0], y, z}, side, bricks, tile->row.data())) continue;
+        ball_.addAround(tile->row.data(), y - first[1], z - first[2], &tile->widened, &tile->masks);
       }
     }
   }
 
-  // A ball is rows along x, each of its own half length: a row of marked cells is widened once for
-  // each of these lengths.
-  void addBalls(int row_y, int row_z, Tile* tile) const {
-    int half_length = -1;
-    for (const BallRow& of_ball : ball_) {
-      for (; half_length < of_ball.half_length; ++half_length) {
-        widen(tile->row, half_length + 1, &tile->widened);
-      }
-      const auto& [first, side, layers] = tile->box;
-      const int y = row_y + of_ball.y - first[1];
-      const int z = row_z + of_ball.z - first[2];
-      if (y < 0 || y >= side || z < 0 || z >= layers) continue;
-      unite(&tile->widened[reach_], side, &tile->masks[(z * side + y) * side]);
-    }
-  }
-
-  MaskBricks inBricks(const Tile& tile) const {
-    const auto& [first, side, layers] = tile.box;
+  MaskBricks inBricks(const MaskBox& masks) const {
+    const auto& [first, side, layers] = masks.box();
     MaskBricks result(marked_.flat());
-    const HypothesisMask* row = tile.masks.data();
     for (int z = 0; z < layers; ++z) {
       for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; x += MaskBricks::kSide, row += MaskBricks::kSide) {
-          result.markRow({first[0] + x, first[1] + y, first[2] + z}, row);
+        for (int x = 0; x < side; x += MaskBricks::kSide) {
+          result.markRow({first[0] + x, first[1] + y, first[2] + z}, masks.row(y, z) + x);
         }
       }
     }
@@ -167,9 +194,7 @@ class Dilation {
   }
 
   const MaskBricks& marked_;
-  std::vector<BallRow> ball_;
-  int reach_ = 0;   ///< of the ball along x and y
-  int height_ = 0;  ///< of the ball along z
+  Ball ball_;
 };
 
 }  // namespace
@@ -188,8 +213,23 @@ MaskBricks dilated(const MaskBricks& marked, float radius) {
   return result;
 }
 
-MaskBricks dilated(const MaskBricks& marked, float radius, const CellBox& box) {
-  return Dilation(marked, radius).dilatedIn(box);
+CellBox widened(const CellBox& box, float radius, bool flat) {
+  return widenedBy(Ball(radius, flat), box);
+}
+
+MaskBox dilated(const MaskBox& marked, float radius, bool flat, const CellBox& box) {
+  const Ball ball(radius, flat);
+  const auto& [low, side, layers] = marked.box();
+  std::vector<HypothesisMask> scratch(side);
+  MaskBox result(box);
+  for (int z = 0; z < layers; ++z) {
+    for (int y = 0; y < side; ++y) {
+      const HypothesisMask* row = marked.row(y, z);
+      if (areZero(row, side)) continue;
+      ball.addAround(row, y - ball.reach(), z - ball.height(), &scratch, &result);
+    }
+  }
+  return result;
 }
 
 }  // namespace smore

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "smore/common/cell_key.h"
+#include "smore/mapping/mask_dilation.h"
 
 namespace smore {
 
@@ -28,9 +29,5 @@ MaskGrid::MaskGrid(const std::vector<MaskedPoint>& points, float radius, float c
 }
 
 void MaskGrid::dilate(float radius) { bricks_ = dilated(bricks_, radius * inverse_cell_); }
-
-void MaskGrid::dilateWithin(const CellBox& box, float radius) {
-  bricks_ = dilated(bricks_, radius * inverse_cell_, box);
-}
 
 }  // namespace smore

@@ -34,10 +34,16 @@ constexpr double kMostVoxels = 4e6;
 /// any box and offset; nothing where that is not known.
 using Knowledge = std::function<std::optional<bool>(const Vec3& point, double voxel_size)>;
 
+/// A point in matter that is so wide: centres of voxels that are wider than half of it may miss it.
+struct MatterPoint {
+  Vec3 point;
+  double width = 0.0;  ///< [m]
+};
+
 struct Source {
-  Knowledge knowledge;            ///< null: nothing is known but where there is matter
-  Bounds extent;                  ///< beyond it nothing is known
-  std::vector<Vec3> matter = {};  ///< points in matter that centres of voxels may miss
+  Knowledge knowledge;  ///< null: nothing is known but where there is matter
+  Bounds extent;        ///< beyond it nothing is known
+  std::vector<MatterPoint> matter = {};
 };
 
 Bounds widened(Bounds bounds, double margin) {
@@ -93,7 +99,7 @@ using Octree = std::shared_ptr<const octomap::OcTree>;
 
 // Asked voxel by voxel, as pruned leaves may span a whole building, and leaf by leaf where these
 // are so small that the centre of a voxel tells nothing of them.
-Source ofOctree(const Octree& tree, const Pose& pose, double voxel_size) {
+Source ofOctree(const Octree& tree, const Pose& pose) {
   Bounds box;
   tree->getMetricMin(box.min.x(), box.min.y(), box.min.z());
   tree->getMetricMax(box.max.x(), box.max.y(), box.max.z());
@@ -108,8 +114,8 @@ Source ofOctree(const Octree& tree, const Pose& pose, double voxel_size) {
   };
   Source source{knowledge, widened(boundsOf(corners), 0.5 * tree->getResolution())};
   for (auto leaf = tree->begin_leafs(); leaf != tree->end_leafs(); ++leaf) {
-    if (leaf->getOccupancy() < kOccupied || leaf.getSize() >= 2.0 * voxel_size) continue;
-    source.matter.push_back(pose * Vec3(leaf.getX(), leaf.getY(), leaf.getZ()));
+    if (leaf->getOccupancy() < kOccupied) continue;
+    source.matter.push_back({pose * Vec3(leaf.getX(), leaf.getY(), leaf.getZ()), leaf.getSize()});
   }
   return source;
 }
@@ -162,7 +168,7 @@ class PriorMaker {
       case PriorFormat::kTruth:
         return truth();
       case PriorFormat::kOctree:
-        return ofOctree(readOctree(entry.file), entry.pose, voxel_size_);
+        return ofOctree(readOctree(entry.file), entry.pose);
       case PriorFormat::kCloud:
         return cloud(entry);
       case PriorFormat::kMesh:
@@ -204,7 +210,10 @@ class PriorMaker {
     std::vector<Vec3> points = entry.file.empty() ? entry.points : loadPointCloud(entry.file);
     for (Vec3& point : points) point = entry.pose * entry.scale.cwiseProduct(point);
     const Bounds extent = boundsOf(points);
-    return {nullptr, extent, std::move(points)};
+    Source source{nullptr, extent};
+    source.matter.reserve(points.size());
+    for (const Vec3& point : points) source.matter.push_back({point});
+    return source;
   }
 
   double voxelSizeFor(const Bounds& box) const {
@@ -217,8 +226,9 @@ class PriorMaker {
     if ((box.min.array() > box.max.array()).any()) return VoxelGrid(voxel_size_);
     VoxelGrid grid(source.knowledge ? voxelSizeFor(box) : voxel_size_);
     if (source.knowledge) ask(source.knowledge, box, offset, &grid);
-    for (const Vec3& point : source.matter) {
-      if (box.contains(point)) setMatter(point + offset, &grid);
+    for (const MatterPoint& matter : source.matter) {
+      if (matter.width >= 2.0 * grid.voxelSize() || !box.contains(matter.point)) continue;
+      setMatter(matter.point + offset, &grid);
     }
     return grid;
   }

@@ -74,14 +74,26 @@ std::vector<JointSample> TemperedPopulation::run() {
 
 void TemperedPopulation::sweep(double heat, std::uint64_t seed) {
   const std::vector<int> order = visitOrder(seed);
+  const std::vector<std::size_t> alike = chainsByExplanation();
   const std::size_t groups = std::min(chains_.size(), coreCount());
   parallelFor(groups, [&](std::size_t group) {
     std::vector<SweptChain> swept;
-    for (std::size_t m = group; m < chains_.size(); m += groups) {
-      swept.push_back({&chains_[m], mixBits(seed, m)});
+    const std::size_t end = (group + 1) * alike.size() / groups;
+    for (std::size_t i = group * alike.size() / groups; i < end; ++i) {
+      swept.push_back({&chains_[alike[i]], mixBits(seed, alike[i])});
     }
     GibbsSweep(contacts_, evidence_, prior_, parameters_, std::move(swept), heat).run(order);
   });
+}
+
+// Those that go on from one chain share what a sweep works out.
+std::vector<std::size_t> TemperedPopulation::chainsByExplanation() const {
+  std::vector<std::size_t> chains(chains_.size());
+  std::iota(chains.begin(), chains.end(), 0);
+  std::stable_sort(chains.begin(), chains.end(), [this](std::size_t a, std::size_t b) {
+    return chains_[a].explanation() < chains_[b].explanation();
+  });
+  return chains;
 }
 
 std::vector<int> TemperedPopulation::visitOrder(std::uint64_t seed) const {
@@ -97,8 +109,8 @@ std::vector<int> TemperedPopulation::visitOrder(std::uint64_t seed) const {
 }
 
 std::vector<double> TemperedPopulation::bindingOfChains() const {
-  std::vector<double> bindings;
-  for (const GibbsChain& chain : chains_) bindings.push_back(chain.binding());
+  std::vector<double> bindings(chains_.size());
+  parallelFor(chains_.size(), [&](std::size_t m) { bindings[m] = chains_[m].binding(); });
   return bindings;
 }
 

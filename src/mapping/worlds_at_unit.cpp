@@ -17,6 +17,7 @@ WorldsAtUnit::WorldsAtUnit(const WorldSamples& samples, const FeatureParameters&
                            const ExtentParameters& extent, bool planar, std::uint64_t seed)
     : radius_(feature.radius),
       contact_distance_(feature.conflictDistance()),
+      planar_(planar),
       members_(samples.members),
       unknown_(samples.prior, samples.members, feature.reach, planar),
       known_object_(samples.prior.balls(MapSide::kObject)),
@@ -24,10 +25,24 @@ WorldsAtUnit::WorldsAtUnit(const WorldSamples& samples, const FeatureParameters&
   const SurfaceExtents surfaces(samples, feature, extent, planar, seed);
   object_ = surfaces.object();
   world_ = surfaces.world();
+}
+
+const std::vector<MatterOverlap>& WorldsAtUnit::overlaps() const {
+  if (!overlaps_->made.load(std::memory_order_acquire)) {
+    std::call_once(overlaps_->once, [this] {
+      overlaps_->all = makeOverlaps();
+      overlaps_->made.store(true, std::memory_order_release);
+    });
+  }
+  return overlaps_->all;
+}
+
+std::vector<MatterOverlap> WorldsAtUnit::makeOverlaps() const {
+  std::vector<MatterOverlap> result;
   const auto touched = static_cast<float>(contact_distance_);
   const auto add = [&](const auto& object, const auto& world, TouchDistance distance) {
     if (object.empty() || world.empty()) return;
-    overlaps_.emplace_back(object, world, distance, kBlockSizes * touched, planar);
+    result.emplace_back(object, world, distance, kBlockSizes * touched, planar_);
   };
   add(object_, world_, {touched});
   for (const KnownBalls& known : known_object_) add(known.balls, world_, touchDistance(known));
@@ -39,6 +54,7 @@ WorldsAtUnit::WorldsAtUnit(const WorldSamples& samples, const FeatureParameters&
       add(object.balls, world.balls, {static_cast<float>(mean), static_cast<float>(spread)});
     }
   }
+  return result;
 }
 
 TouchDistance WorldsAtUnit::touchDistance(const KnownBalls& known) const {
@@ -65,7 +81,7 @@ bool WorldsAtUnit::isLikeATouchingPose(const Eigen::Isometry3f& T_map_object) co
 HypothesisMask WorldsAtUnit::touching(const Eigen::Isometry3f& T_map_object, int enough) const {
   if (isLikeATouchingPose(T_map_object)) return members_;
   HypothesisMask result = 0;
-  for (const MatterOverlap& overlap : overlaps_) {
+  for (const MatterOverlap& overlap : overlaps()) {
     result |= overlap.at(T_map_object, enough);
     if (__builtin_popcountll(result) > enough) break;
   }

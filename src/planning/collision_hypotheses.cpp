@@ -52,11 +52,13 @@ CollisionHypotheses::CollisionHypotheses(const std::vector<Prior>& object, bool 
   trail_.emplace(kStepInCells * cell_, reach_);
 }
 
-// The plane passes between two layers of voxels: the upper one stands for both.
+// The plane passes between two layers of voxels: the upper one stands for what is in either.
 void CollisionHypotheses::addMatter(const VoxelGrid& known, bool planar) {
   std::set<VoxelKey> matter;
-  for (const VoxelKey& key : occupiedVoxels(known).keys) {
-    if (!planar || key.z == 0) matter.insert(key);
+  for (VoxelKey key : occupiedVoxels(known).keys) {
+    if (planar && key.z != 0 && key.z != -1) continue;
+    if (planar) key.z = 0;
+    matter.insert(key);
   }
   for (const VoxelKey& key : matter) {
     Vec3 point = voxelCenter(key, known.voxelSize());

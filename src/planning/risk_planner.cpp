@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "smore/common/parallel_for.h"
@@ -135,13 +136,14 @@ void RiskPlanner::searchFurther(const Search& search, std::vector<RiskPath>* pat
 }
 
 // What the search found earlier and did not take may be the best by now.
-void RiskPlanner::addAlternatives(const Search& search, std::vector<RiskPath>* paths) const {
-  for (std::vector<RiskState> states : alternatives_) {
-    if (search.deadline.passed()) return;
-    states.front() = search.start;
-    states.back() = search.goal;
-    paths->emplace_back(search.motions, search.measure, std::move(states));
+void RiskPlanner::addAlternatives(const Search& search, std::vector<RiskPath>* paths) {
+  auto next = alternatives_.begin();
+  for (; next != alternatives_.end() && !search.deadline.passed(); ++next) {
+    next->front() = search.start;
+    next->back() = search.goal;
+    paths->emplace_back(search.motions, search.measure, std::move(*next));
   }
+  alternatives_.erase(alternatives_.begin(), next);
 }
 
 void RiskPlanner::addPostures(const Search& search, std::vector<RiskPath>* paths) const {
@@ -161,12 +163,15 @@ void RiskPlanner::improve(const Search& search, int attempts, std::size_t first,
   });
 }
 
+// The paths, and then those of earlier searches for which there was no time.
 void RiskPlanner::remember(const std::vector<RiskPath>& paths) {
-  alternatives_.clear();
+  std::vector<std::vector<RiskState>> known;
   for (const RiskPath& path : paths) {
-    if (static_cast<int>(alternatives_.size()) >= parameters_.alternatives) return;
-    if (path.states().size() > 2) alternatives_.push_back(path.states());
+    if (path.states().size() > 2) known.push_back(path.states());
   }
+  std::move(alternatives_.begin(), alternatives_.end(), std::back_inserter(known));
+  known.resize(std::min(known.size(), static_cast<std::size_t>(parameters_.alternatives)));
+  alternatives_ = std::move(known);
 }
 
 std::vector<RiskPath> RiskPlanner::climb(Search* search) const {

@@ -98,7 +98,12 @@ void read(const ParameterField& field, ParameterReader* reader) {
 }
 
 // What no parameter's own range says.
-void checkTogether(const JointBeliefParameters& belief, ParameterReader* reader) {
+void checkTogether(const JointBeliefParameters& belief, const RiskPlannerParameters& planner,
+                   ParameterReader* reader) {
+  if (2.0 * planner.lever < belief.feature.reach) {
+    reader->error("planner.lever",
+                  "must be half of belief.reach at least, or turns pass through matter unseen");
+  }
   if (belief.feature.conflictDistance() < kLeastBalls) {
     reader->error("belief.tolerance", "must be below twice belief.radius, by 0.01 at least");
   }
@@ -129,7 +134,7 @@ MethodParameters readMethodParameters(const YAML::Node& mapping, const std::stri
     for (const ParameterField& field : section.fields) read(field, &nested);
     nested.finishNested();
   }
-  checkTogether(parameters.belief, &reader);
+  checkTogether(parameters.belief, parameters.planner, &reader);
   reader.finish();
   return parameters;
 }

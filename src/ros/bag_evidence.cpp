@@ -74,8 +74,7 @@ class BagReader {
     if (!told_ && !choices_.scenario) refuse("it does not say its task; give --scenario");
     if (choices_.parameters) source.parameters = *choices_.parameters;
     if (!choices_.scenario) return source;
-    source.task = loadScenario(scenarioFile());
-    source.priors = priorsOf(source.task, source.seed);
+    changeTask(*choices_.scenario, &source);
     return source;
   }
 

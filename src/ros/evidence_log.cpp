@@ -7,6 +7,7 @@ EvidenceSpacing spacingFor(const Scenario& task) {
   constexpr double kShare = 0.1;
   EvidenceSpacing spacing;
   spacing.distance = kShare * task.voxel_size;
+  if (task.motion == Motion::kPlanar) spacing.T_world_plane = task.motionSpace().T_world_plane;
   return spacing;
 }
 

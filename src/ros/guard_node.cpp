@@ -128,18 +128,18 @@ class GuardNode {
     const auto joints = guard_.joints(now());
     if (!stream_.active() || !joints || !turns_.upToDate(now())) return;
     // What else has come may wait behind this message still: whether that is late is said later.
-    const auto horizon = stream_.advance(joints->time, waits_ ? 0.0 : speed_.scaling());
+    const auto horizon = stream_.advance(joints->time, braked_ ? 0.0 : speed_.scaling());
     if (horizon) guarded_.publish(toMessage(*horizon));
   }
 
-  /// Brakes a motion that must wait. It stays as far as it has come, as in a pause of the robot.
+  /// Brakes a motion that must wait, which then stays as far as it has come. Where the joints are
+  /// late it cannot be braked yet, and comes as far as the robot.
   void waitWhileLate() {
     const std::string lateness = guard_.lateness(turns_.heard());
-    if (!lateness.empty() && !waits_) {
-      if (late_warning_.isDue()) ROS_WARN_STREAM("the motion waits: " << lateness);
-      brakeNow();
+    if (!lateness.empty() && !braked_ && late_warning_.isDue()) {
+      ROS_WARN_STREAM("the motion waits: " << lateness);
     }
-    waits_ = !lateness.empty();
+    braked_ = !lateness.empty() && (braked_ || brakeNow());
   }
 
   void onContact(const smore_msgs::ContactObservation& message) {
@@ -179,7 +179,7 @@ class GuardNode {
       return;
     }
     stream_.begin(*motion);
-    waits_ = false;
+    braked_ = false;
   }
 
   void checkController() {
@@ -194,14 +194,16 @@ class GuardNode {
   }
 
   /// Brakes from where the joints are now. Where that is not known, a motion ends with the last
-  /// horizon that the robot got; without one the robot is told to stop as it can.
-  void brakeNow() {
+  /// horizon that the robot got; without one the robot is told to stop as it can. Whether it
+  /// brakes.
+  bool brakeNow() {
     const auto joints = guard_.joints(now());
     if (joints) {
       guarded_.publish(toMessage(brake(joint_names_, *joints, deceleration_, speed_.scaling())));
     } else if (!stream_.active()) {
       guarded_.publish(trajectory_msgs::JointTrajectory());
     }
+    return joints.has_value();
   }
 
   void endAtRest() {
@@ -267,7 +269,7 @@ class GuardNode {
   ros::WallDuration period_;  ///< between two checks for silence
   HoldUpWatch turns_;         ///< silence is not that this node was held up
   std::optional<trajectory_msgs::JointTrajectory> commanded_;  ///< and has not begun
-  bool waits_ = false;  ///< whether the motion waits, since what is known is late
+  bool braked_ = false;  ///< whether the motion waits, since what is known is late
   Throttle late_warning_{kWarningPeriod};
   ros::CallbackQueue queue_;
   SpeedListener speed_{&queue_};

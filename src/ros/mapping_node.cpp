@@ -39,6 +39,7 @@ class MappingNode {
   MappingNode(const MappingParameters& parameters, const EvidenceSource& source)
       : parameters_(parameters),
         source_(source),
+        space_(source.task.motionSpace()),
         files_(belowRosHome(parameters.beliefs), source),
         keeper_(startKeeper(parameters, source, files_)),
         service_node_(makeServiceNode()),
@@ -118,6 +119,9 @@ class MappingNode {
                          << "'; give the listener and the mapping the same frames");
       return;
     }
+    const std::string beside = space_.whyBeside(observation->T_world_object);
+    if (!beside.empty() && warning_.isDue())
+      ROS_WARN_STREAM("observations are left out: the object is " << beside);
     keeper_->push(*observation);
   }
 
@@ -244,6 +248,7 @@ class MappingNode {
 
   MappingParameters parameters_;
   EvidenceSource source_;
+  MotionSpace space_;
   BeliefFiles files_;
   CloudFrames cloud_frames_;
   std::unique_ptr<MapKeeper> keeper_;  ///< before anything is offered of what it knows

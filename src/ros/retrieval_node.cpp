@@ -181,8 +181,9 @@ class RetrievalNode {
     const bool retrieves = scenario_.task == Task::kRetrieve;
     const std::string outside = scenario_.motionSpace().whyOutside(parameters.goal);
     if (retrieves && !outside.empty()) return "the goal " + outside;
-    std::string problem = waitUntilReady();
-    if (!problem.empty()) return problem;
+    if (std::string problem = waitUntilReady(); !problem.empty()) return problem;
+    const std::string beside = scenario_.motionSpace().whyBeside(robot_.pose());
+    if (!beside.empty()) return "the object is " + beside + "; bring it there first";
     return retrieves && isAtGoal(parameters, robot_.pose()) ? "" : identifyPayload();
   }
 

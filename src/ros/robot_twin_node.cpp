@@ -149,7 +149,9 @@ class RobotTwin {
     endProgram("somebody asked for it");
   }
 
+  /// A UR zeroes its sensor whenever its program starts (developers in the driver's issue 512).
   void play() {
+    wrench_of_driver_.askForZero(now() + parameters_.zero_delay);
     controller_.start(robot_->jointPositions());
     publishSafetyMode(kNormal);
     publishRunning();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/ros/ros_robot.h"
 
+#include <std_msgs/Bool.h>
 #include <std_msgs/Empty.h>
 #include <std_srvs/Trigger.h>
 
@@ -54,6 +55,10 @@ RosRobot::RosRobot(const RosRobotParameters& parameters, std::unique_ptr<JointCo
   contact_ = node_.subscribe<smore_msgs::ContactObservation>(
       names::kContact, names::kObservationQueue, on_contact, ros::VoidConstPtr(),
       ros::TransportHints().tcpNoDelay());
+  const boost::function<void(const std_msgs::Bool&)> on_program =
+      [this](const std_msgs::Bool& message) { onProgram(message.data != 0); };
+  program_ =
+      node_.subscribe<std_msgs::Bool>(names::kProgramRunning, names::kLatestQueue, on_program);
   if (!parameters_.reset_service.empty()) {
     reset_ = node_.serviceClient<std_srvs::Trigger>(parameters_.reset_service);
   }
@@ -65,6 +70,11 @@ Pose RosRobot::pose() const {
 }
 
 double RosRobot::stamp() const { return stream_.latest().value_or(ContactObservation{}).time; }
+
+void RosRobot::onProgram(bool runs) {
+  if (runs && !program_runs_) fault_place_.onProgramStart();
+  program_runs_ = runs;
+}
 
 void RosRobot::requestStop() {
   const std::lock_guard<std::mutex> lock(command_mutex_);
@@ -104,6 +114,7 @@ MotionResult RosRobot::follow(const Path& path) {
 }
 
 MotionResult RosRobot::retreat(double distance) {
+  trail_.setOutFrom(pose());  // it knows no way back from where somebody else has moved it
   const auto result = retreatInStretches({[&] { return trail_.wayBack(pose(), distance); },
                                           [this](const Path& back) { return goBack(back); },
                                           [this] { return waitUntilFree(); }});
@@ -257,6 +268,7 @@ MotionResult RosRobot::endInContact(Motion* motion) {
   const Path back = trail_.wayBack(touched, kWayOfWork);
   if (motion->last.line && !back.empty())
     motion->reason = sign_.contradiction(*motion->last.line, back.back(), touched);
+  trail_.record(motion->last.T_world_object);  // it has run on
   return end(*motion, motion->reason.empty() ? MotionEnd::kContact : MotionEnd::kFault);
 }
 

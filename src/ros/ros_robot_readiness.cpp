@@ -6,6 +6,11 @@
 namespace smore {
 
 std::string RosRobot::waitUntilReady() {
+  if (fault_place_.isZeroed()) {
+    return "the robot's program was started while the object pressed, which zeroes the sensor of a "
+           "UR: what presses is no longer felt; move the object free by hand or by the pendant, by "
+           "1 cm at least, then send the goal again";
+  }
   if (!parameters_.zero_service.empty() && !fault_place_.isHere()) {
     std::string problem = zeroSensor(&node_, parameters_.zero_service, parameters_.ready_timeout,
                                      [this] { return stopRequested(); });
@@ -33,7 +38,8 @@ std::string RosRobot::missingBeside(const ContactObservation& observation) {
     return "the object presses against something; move it free, then tare the sensor";
   }
   if (observation.state != ContactState::kFree) {
-    return "the sensor never says that the object is free; look at the force_torque node's log";
+    return "the sensor never says that the object is free; have it tared (force_torque/tare) where "
+           "it may have drifted, and look at the force_torque node's log";
   }
   if (command_.getNumSubscribers() == 0) {
     return "nobody listens to commands on '" + command_.getTopic() + "'; is the robot up?";

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "smore/mapping/prior.h"
+#include "smore/retrieval/evidence.h"
 #include "smore/scenario/scenario.h"
 
 namespace smore {
@@ -11,5 +13,9 @@ namespace smore {
 /// What the scenario says to be known beforehand; the truth is that of the simulator with this
 /// seed. InputError as of makePriors.
 Priors priorsOf(const Scenario& scenario, std::uint64_t seed);
+
+/// Another task for recorded observations, with what it says to be known beforehand. `scenario`: a
+/// shipped name or a file. InputError where it cannot be read or used.
+void changeTask(const std::string& scenario, EvidenceSource* source);
 
 }  // namespace smore

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "bag_evidence.h"
+#include "scenario_priors.h"
 #include "smore/common/output_directory.h"
 #include "smore/common/result.h"
 #include "smore/experiment/command_line.h"
@@ -34,7 +35,7 @@ po::options_description optionsFor(Arguments* arguments) {
   add("bag", po::value(&arguments->bag)->value_name("FILE"),
       "bag with wrenches and transforms, instead");
   add("scenario", po::value(&arguments->scenario)->value_name("NAME|FILE"),
-      "task of a bag, instead of what it says");
+      "task, instead of the recorded one");
   add("method", new smore::ChoiceOption(&arguments->method, smore::methodNames()),
       "instead of the recorded one");
   add("parameters", po::value(&arguments->method_parameters)->value_name("FILE"),
@@ -66,10 +67,9 @@ smore::Evidence evidenceOf(const Arguments& arguments,
     throw smore::InputError("give either --evidence or --bag");
   }
   if (!arguments.bag.empty()) return fromBag(arguments, parameters);
-  if (!arguments.scenario.empty()) {
-    throw smore::InputError("--scenario: only with --bag; a file of evidence has its task");
-  }
-  return smore::readEvidence(arguments.evidence, parameters);
+  smore::Evidence evidence = smore::readEvidence(arguments.evidence, parameters);
+  if (!arguments.scenario.empty()) smore::changeTask(arguments.scenario, &evidence.source);
+  return evidence;
 }
 
 int run(const Arguments& arguments) {

@@ -20,7 +20,10 @@ std::optional<std::uint8_t> TareRequests::apply(double time, ContactSensing* sen
   if (zeroing_asked_at_) return suspend(time, sensing);
   const bool over = suspended_until_ && time > *suspended_until_;
   if (over) suspended_until_.reset();
-  if (tare_.take() || over) asked_at_ = time;
+  if (tare_.take() || over) {
+    asked_at_ = time;
+    by_itself_ = over;
+  }
   if (!asked_at_) return std::nullopt;
   return begin(time, sensing);
 }
@@ -32,13 +35,17 @@ std::optional<std::uint8_t> TareRequests::suspend(double time, ContactSensing* s
   suspension_.finish({objection.empty(), objection});
   if (!objection.empty()) return std::nullopt;
   sensing->suspend();
+  if (by_itself_) asked_at_.reset();
+  by_itself_ = false;
   suspended_until_ = time + kLongestSuspension;
   return Event::SUSPEND;
 }
 
 std::optional<std::uint8_t> TareRequests::begin(double time, ContactSensing* sensing) {
   const std::string objection = sensing->tareObjection();
-  if (!objection.empty() && time - *asked_at_ < kPasses) return std::nullopt;
+  // Where nobody asked, nobody would ask again: without a tare nothing is felt.
+  const bool waits = by_itself_ || time - *asked_at_ < kPasses;
+  if (!objection.empty() && waits) return std::nullopt;
   forget();
   if (!objection.empty()) {
     tare_.finish({false, objection});
@@ -52,6 +59,7 @@ void TareRequests::forget() {
   asked_at_.reset();
   zeroing_asked_at_.reset();
   suspended_until_.reset();
+  by_itself_ = false;
 }
 
 }  // namespace smore

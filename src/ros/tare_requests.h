@@ -12,7 +12,7 @@ namespace smore {
 /// What services ask of the sensor's bias, done between two samples: a tare, and that nothing be
 /// claimed because the driver is about to zero the sensor. Such a step in the signal would be a
 /// contact else. Whoever says so may be cancelled before it tares: after 3 s a tare begins by
-/// itself.
+/// itself, as soon as nothing speaks against it.
 class TareRequests {
  public:
   /// For the threads that ask; each waits for its answer.
@@ -25,7 +25,7 @@ class TareRequests {
   std::optional<std::uint8_t> apply(double time, ContactSensing* sensing);
 
   /// Whether nothing is claimed because the sensor is about to be zeroed.
-  bool suspended() const { return suspended_until_.has_value(); }
+  bool suspended() const { return suspended_until_ || by_itself_; }
 
   /// Whether a tare was asked for that has not begun.
   bool tareWaits() const { return asked_at_.has_value(); }
@@ -39,6 +39,7 @@ class TareRequests {
 
   SensingRequest tare_, suspension_;
   std::optional<double> asked_at_;          ///< for a tare [s]
+  bool by_itself_ = false;                  ///< nobody asked for the tare, and nobody waits
   std::optional<double> zeroing_asked_at_;  ///< for a suspension [s]
   std::optional<double> suspended_until_;   ///< [s]
 };

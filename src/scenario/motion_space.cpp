@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/scenario/motion_space.h"
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace smore {
 namespace {
@@ -52,6 +54,17 @@ std::string MotionSpace::whyOutside(const Pose& T_world_object) const {
   }
   if (inPlane(*this, T_world_object)) return "";
   return describe(position) + " does not lie in the plane of motion";
+}
+
+std::string MotionSpace::whyBeside(const Pose& T_world_object) const {
+  if (motion == Motion::kSpatial) return "";
+  const Pose T_plane_object = T_world_plane.inverse() * T_world_object;
+  if (isNearPlane(T_plane_object)) return "";
+  const double tilt = std::acos(std::clamp(T_plane_object.linear()(2, 2), -1.0, 1.0));
+  std::ostringstream text;
+  text << std::abs(T_plane_object.translation().z()) << " m and " << tilt
+       << " rad beside the plane of motion";
+  return text.str();
 }
 
 }  // namespace smore

@@ -47,5 +47,25 @@ TEST(EvidenceFilter, withoutLossKeepsEveryFreePoseButRepetitions) {
   EXPECT_TRUE(filter.keeps(freeAt(0.1)));
 }
 
+TEST(EvidenceFilter, keepsNothingFromBesideThePlane) {
+  EvidenceSpacing spacing;
+  spacing.T_world_plane = makePose({0.1, 0.2, 0.3}, {0.0, 1.0, 0.0});
+  EvidenceFilter filter(spacing);
+  const auto freeAbove = [&](double height, double tilt) {
+    ContactObservation observation = freeAt(0.0);
+    observation.T_world_object =
+        *spacing.T_world_plane * makePose({1.0, 2.0, height}, {tilt, 0.0, 3.0});
+    return observation;
+  };
+  ContactObservation touched = freeAbove(-0.2, 0.0);
+  touched.state = ContactState::kContact;
+  touched.line = LineOfAction{};
+  EXPECT_FALSE(filter.keeps(touched));
+  EXPECT_FALSE(filter.keeps(freeAbove(0.02, 0.0)));
+  EXPECT_FALSE(filter.keeps(freeAbove(0.0, 0.1)));
+  EXPECT_FALSE(filter.keeps(freeAbove(0.0, M_PI)));
+  EXPECT_TRUE(filter.keeps(freeAbove(0.005, 0.02)));
+}
+
 }  // namespace
 }  // namespace smore

@@ -40,7 +40,7 @@ struct Observed {
 
 using Conflicts = std::vector<std::array<CandidateBits, kCandidates>>;
 
-enum class Comes { kContactsFirst, kPosesFirst };
+enum class Comes { kContactsFirst, kPosesFirst, kPosesAtOnce };
 
 Conflicts conflictsOf(const Observed& observed, Comes order) {
   FreeSpaceEvidence evidence(observed.lengths.free_space,
@@ -51,6 +51,7 @@ Conflicts conflictsOf(const Observed& observed, Comes order) {
   if (order == Comes::kPosesFirst) add_poses();
   for (int k = 0; k < kContacts; ++k) evidence.insertContact(k, observed.contacts[k]);
   if (order == Comes::kContactsFirst) add_poses();
+  if (order == Comes::kPosesAtOnce) evidence.addPoses(observed.poses);
   Conflicts result;
   for (int k = 0; k < kContacts; ++k) {
     for (int l = 0; l < kContacts; ++l) {
@@ -68,6 +69,7 @@ TEST(FreeSpaceEvidence, IsTheSameWhicheverCameFirst) {
     const Observed observed(seed);
     const Conflicts conflicts = conflictsOf(observed, Comes::kContactsFirst);
     EXPECT_EQ(conflicts, conflictsOf(observed, Comes::kPosesFirst)) << "seed " << seed;
+    EXPECT_EQ(conflicts, conflictsOf(observed, Comes::kPosesAtOnce)) << "seed " << seed;
     for (const auto& table : conflicts) found += table != ConflictTable{}.by_object ? 1 : 0;
   }
   EXPECT_GT(found, 1000);

@@ -176,6 +176,26 @@ TEST(PriorMaps, FinerOctreesKeepTheirWalls) {
   EXPECT_NE(saidAt(prior, {0.121, 0.001, 0.001}), Said::kMatter);
 }
 
+// A building: voxels are 18 cm, of which few have their centres in a wall of 5 cm.
+TEST(PriorMaps, OctreesKeepTheirWallsWhereVoxelsGrowWithTheirExtent) {
+  TemporaryDirectory directory;
+  VoxelGrid grid(0.05);
+  for (double y = 0.025; y < 2.0; y += 0.05) {
+    grid.set(voxelAt({1.025, y, 0.025}, 0.05), 0.9F);
+    for (double x : {0.925, 0.975, 1.075, 1.125}) grid.set(voxelAt({x, y, 0.025}, 0.05), 0.1F);
+  }
+  grid.set(voxelAt({50.025, 50.025, 10.025}, 0.05), 0.1F);
+  ASSERT_TRUE(toOctree(grid)->write(directory.path() + "/building.ot"));
+  Scenario scene =
+      sceneWith({{}, {fromFile(PriorFormat::kOctree, directory.path() + "/building.ot")}});
+  scene.motion = Motion::kSpatial;
+  const Prior prior = makePriors(scene).world.at(0);
+  EXPECT_GT(prior.known.voxelSize(), 0.15);
+  for (double y = 0.025; y < 2.0; y += 0.05) {
+    EXPECT_EQ(saidAt(prior, {1.025, y, 0.025}), Said::kMatter) << y;
+  }
+}
+
 // A camera sees the wall behind the room as well.
 TEST(PriorMaps, ACloudIsAsFineWithPointsFarAway) {
   PriorSource cloud;

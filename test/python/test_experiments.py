@@ -348,7 +348,7 @@ class ExperimentsTest(unittest.TestCase):
         for experiment in (*figures_of_paper, rivals, calibration, sensitivity, choices, generality):
             if experiment is generality:
                 drawn = {"object": "star", "obstacles": "pegs", "scale": 2.5, "rejected": {"no way out was found": 2}}
-                names = ("planar_1001", "spatial_1001")
+                names = ("planar_1001", "spatial_1001", "spatial_slit_1001")
                 (scene.parent / "scenes.json").write_text(json.dumps(dict.fromkeys(names, drawn)))
                 asked = [Trial(name, str(scene), 1001) for name in names]
             else:

@@ -140,6 +140,17 @@ class RandomScenesTest(unittest.TestCase):
             said = json.loads(pathlib.Path(folder, "a/scenes.json").read_text())["spatial_13"]
         self.assertEqual((said["object"], said["obstacles"]), ("object of a wire", "obstacles of a frame"))
 
+    def test_all_scenes_may_have_obstacles_of_one_kind(self):
+        with tempfile.TemporaryDirectory() as folder:
+            command = [ROOT / "scripts/random_scenes", "--seed", "5", "--count", "2", "--output", folder, "--obstacles"]
+            subprocess.run([*command, "bracket"], check=True, stdout=subprocess.DEVNULL)
+            said = json.loads(pathlib.Path(folder, "scenes.json").read_text())
+            refused = subprocess.run([*command, "slit"], stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(set(said), {"planar_bracket_5", "planar_bracket_6"})
+        self.assertEqual({scene["obstacles"] for scene in said.values()}, {"obstacles of a bracket"})
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("--motion planar has pegs, walls, bracket, gap", refused.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -138,6 +138,24 @@ class GuardNode(unittest.TestCase):
         self.assertFalse([m for m in self.faults.messages() if m.data])
         self.end_motion()
 
+    def test_a_motion_whose_joints_were_late_goes_on_where_the_robot_has_come(self):
+        begin = self.driver.position
+        self.assertTrue(self.moves())
+        there = lambda message: message.points[-1].positions[0] > begin + 0.3
+        self.assertTrue(self.passed.wait_for(there), "the motion does not go on")
+        self.driver.joints = False
+        # Longer than its max_lateness; the robot goes on to the end of what it was told meanwhile.
+        self.assertTrue(wait_until(lambda: not self.pieces_in(0.5)))
+        first, last = (self.driver.horizon.points[i].positions[0] for i in (0, -1))
+        self.driver.position = last
+        self.passed.clear()
+        self.driver.joints = True
+        piece = self.passed.wait_for(is_horizon)
+        self.assertIsNotNone(piece, "it does not go on")
+        self.assertGreater(piece.points[0].positions[0], 0.5 * (first + last), "it is thrown back")
+        self.assertFalse([m for m in self.faults.messages() if m.data])
+        self.end_motion()
+
     def test_a_paused_robot_gets_nothing_and_goes_on_later(self):
         self.assertTrue(self.moves())
         self.scaling.publish(0.0)

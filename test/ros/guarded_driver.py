@@ -34,6 +34,7 @@ class Driver:
         self.noise = 0.01  # turns its sign with each wrench [N]
         self.age = 0.0  # of all stamps [s]
         self.position = 0.0
+        self.horizon = None  # the last piece of a motion that it was told
         self._wrench = rospy.Publisher("wrench", WrenchStamped, queue_size=1, tcp_nodelay=True)
         self._joints = rospy.Publisher("joint_states", JointState, queue_size=1, tcp_nodelay=True)
         self._contact = rospy.Publisher("contact", ContactObservation, queue_size=1)
@@ -46,6 +47,8 @@ class Driver:
     def _follow(self, message):
         if message.points:
             self.position = message.points[0].positions[0]
+        if len(message.points) > 1:
+            self.horizon = message
 
     def _run(self):
         while not self._end.wait(PERIOD):

@@ -35,6 +35,7 @@ class FakeArm:
         self.source = ObservationSource(FakeArm.time + 1.0)
         self.target = None
         self.x = 0.0
+        self.height = 0.0  # of the object above the plane of motion [m]
         self.state = ContactObservation.FREE
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._run)
@@ -50,6 +51,7 @@ class FakeArm:
                 step = max(-0.0004, min(0.0004, self.target - self.x))  # 0.2 m/s
                 self.x += step
             observation = self.source.next(self.state, self.x)
+            observation.pose.position.z = self.height
             joints = JointState(name=JOINTS, position=[self.x, 0, 0, 0, 0, 0])
             joints.header.stamp = observation.header.stamp
             self._joints.publish(joints)
@@ -157,6 +159,28 @@ class RetrievalNode(unittest.TestCase):
         self.assertFalse(result.success)
         self.assertIn("somebody pressed the stop", result.message)
         self.assertTrue(again.success, again.message)
+
+    def test_where_no_plan_is_found_an_arm_that_was_led_away_does_not_go_back_to_its_old_way(self):
+        with FakeArm() as arm:
+            self.assertTrue(self.retrieve().success)
+            arm.target = None
+            arm.x = 0.1
+            type(self).refusal = "the start is outside of the workspace"
+            self.commands.clear()
+            result = self.retrieve()
+        self.assertFalse(result.success)
+        self.assertIn(self.refusal, result.message)
+        self.assertTrue(self.never_moved(), result.message)
+
+    def test_an_object_beside_the_plane_of_motion_is_not_moved(self):
+        with FakeArm() as arm:
+            arm.height = 0.3
+            result = self.retrieve()
+            self.assertFalse(result.success)
+            self.assertIn("the object is 0.3 m and 0 rad beside the plane of motion", result.message)
+            self.assertTrue(self.never_moved())
+            arm.height = 0.002  # as an arm is never quite in it
+            self.assertTrue(self.retrieve().success)
 
     def test_a_sensor_that_is_unsure_is_no_reason_to_back_off(self):
         with FakeArm() as arm:

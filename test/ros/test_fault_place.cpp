@@ -64,5 +64,26 @@ TEST(FaultPlace, isNoneWhereNothingPressedWhenItStoodStill) {
   EXPECT_FALSE(place.isHere());
 }
 
+TEST(FaultPlace, knowsThatTheSensorWasZeroedUnderWhatPresses) {
+  FaultPlace place;
+  place.onProgramStart();
+  place.observe(at(1.0, 0.0, kFault, kPresses));
+  EXPECT_FALSE(place.isZeroed());
+  place.onProgramStart();
+  place.observe(at(9.0, 0.0, !kFault, !kPresses));
+  EXPECT_TRUE(place.isZeroed()) << "what presses is felt no longer";
+  place.observe(at(10.0, 0.0, kFault, !kPresses));
+  EXPECT_TRUE(place.isZeroed()) << "nor after a further fault";
+  place.observe(at(11.0, 0.02, !kFault, !kPresses));
+  EXPECT_FALSE(place.isZeroed()) << "it has been moved";
+}
+
+TEST(FaultPlace, isNotZeroedWhereNothingPresses) {
+  FaultPlace place;
+  place.observe(at(1.0, 0.0, kFault, !kPresses));
+  place.onProgramStart();
+  EXPECT_FALSE(place.isZeroed());
+}
+
 }  // namespace
 }  // namespace smore

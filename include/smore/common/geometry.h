@@ -64,6 +64,11 @@ inline double wrapped(double angle) { return std::remainder(angle, 2.0 * M_PI); 
 /// where it stands on its head.
 Pose projectedToPlane(const Pose& pose);
 
+/// Whether a pose lies in the plane z = 0 as nearly as an arm that moves in it does: to 1 cm and
+/// 0.05 rad. Our choice: several times what an arm's calibration leaves, a fraction of what is
+/// held.
+bool isNearPlane(const Pose& T_plane_object);
+
 /// Angle of the rotation between two poses [rad], in [0, pi].
 double angleBetween(const Pose& a, const Pose& b);
 

@@ -7,10 +7,14 @@
 
 namespace smore {
 
-/// How far a free pose must be from the last one that was kept to say something new.
+/// How far a free pose must be from the last one that was kept to say something new, and in which
+/// plane it must lie.
 struct EvidenceSpacing {
   double distance = 0.003;  ///< [m]; not negative
   double angle = 0.01;      ///< [rad]; not negative
+  /// Of planar motion: what is observed elsewhere (isNearPlane), as where somebody has lifted the
+  /// object, says nothing about its plane.
+  std::optional<Pose> T_world_plane = std::nullopt;
 };
 
 /// With this, only that is left out which changes nothing that learns from observations (TwinMap,
@@ -29,6 +33,7 @@ class EvidenceFilter {
   bool keeps(const ContactObservation& observation);
 
  private:
+  bool isElsewhere(const Pose& T_world_object) const;
   bool isNew(const ContactObservation& observation) const;
   bool isAway(const Pose& T_world_object) const;
 

@@ -42,6 +42,8 @@ class EvidenceAtUnit {
 
   /// False where the pose was known.
   bool addFree(const Pose& T_map_object) { return free_.addPose(T_map_object); }
+  /// The same for many poses: faster after the contacts than before them.
+  void addFree(const std::vector<Pose>& T_map_object) { free_.addPoses(T_map_object); }
 
   /// A contact that was not added yet. One whose line passes too far from the object for this unit
   /// says nothing.

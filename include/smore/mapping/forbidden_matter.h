@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "smore/mapping/mask_dilation.h"
 #include "smore/mapping/mask_grid.h"
 #include "smore/mapping/point_index.h"
 
@@ -32,7 +33,7 @@ class ForbiddenMatter {
  private:
   struct Tile {
     std::once_flag swept;
-    MaskGrid matter;
+    MaskBox matter;
   };
   struct Tiles {
     std::mutex finding;
@@ -40,12 +41,12 @@ class ForbiddenMatter {
   };
 
   Tile& tileAt(const MaskBricks::Cell& lowest) const;
-  MaskGrid sweptThrough(const CellBox& tile) const;
+  MaskBox sweptThrough(const CellBox& tile) const;
 
   std::vector<MaskedPoint> other_;
   std::vector<Eigen::Isometry3f> poses_;
   std::vector<Eigen::Isometry3f> inverse_poses_;
-  float distance_;
+  float radius_;  ///< of balls around centres of cells, in cells
   float cell_;
   bool planar_;
   MaskGrid lattice_;      ///< without matter

@@ -36,6 +36,9 @@ class FreeSpaceEvidence {
   /// Nothing touched at this pose of the object in the map frame. False where that was known.
   bool addPose(const Pose& T_map_object);
 
+  /// The same for many poses, on all processor cores.
+  void addPoses(const std::vector<Pose>& T_map_object);
+
   /// A contact's places, with all that the known free poses say about them; `contact` is its index
   /// from now on, at most the number of contacts: those from there on move down by one.
   void insertContact(int contact, const ContactHypotheses& places);

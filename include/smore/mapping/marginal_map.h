@@ -30,7 +30,7 @@ class MarginalMaps {
 
  private:
   struct Made {
-    std::shared_ptr<const Worlds> of;
+    std::weak_ptr<const Worlds> of;  ///< these are large: maps do not keep them
     std::optional<VoxelGrid> map;
   };
 

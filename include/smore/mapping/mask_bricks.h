@@ -71,6 +71,7 @@ class MaskBricks {
 
   /// Adds the masks of other such lattices.
   void add(const std::vector<MaskBricks>& others);
+  void add(const MaskBricks& other);
 
   bool flat() const { return layer_bits_ == 0; }
   /// The lowest cell of each brick, in the order in which they were added.
@@ -104,7 +105,6 @@ class MaskBricks {
   }
   std::size_t cellsInBrick() const { return std::size_t{kSide * kSide} << layer_bits_; }
   std::uint32_t findOrAdd(const Cell& cell);
-  void addOne(const MaskBricks& other);
   void insert(const Slot& entry);
   void grow();
 

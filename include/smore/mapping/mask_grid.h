@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "smore/mapping/mask_bricks.h"
-#include "smore/mapping/mask_dilation.h"
 
 namespace smore {
 
@@ -54,13 +53,10 @@ class MaskGrid {
   }
 
   /// Adds the matter of another grid with cells of the same size.
-  void add(const MaskGrid& other) { bricks_.add({other.bricks_}); }
+  void add(const MaskGrid& other) { bricks_.add(other.bricks_); }
 
   /// Turns each marked cell into a ball of `radius` [m] around its centre.
   void dilate(float radius);
-
-  /// The same within a box of cells; outside of it no matter is left.
-  void dilateWithin(const CellBox& box, float radius);
 
   /// The cell that holds a point.
   MaskBricks::Cell cellAt(const Eigen::Vector3f& point) const {

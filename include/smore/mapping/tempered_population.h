@@ -23,6 +23,8 @@ class TemperedPopulation {
 
  private:
   std::vector<double> bindingOfChains() const;
+  /// Their indices, those with the same explanation side by side.
+  std::vector<std::size_t> chainsByExplanation() const;
   /// The next step of the heat, at most `left`: the density's range grows with the contacts, and a
   /// step that one chain in a few survives would lose what the others had found.
   double nextStep(const std::vector<double>& bindings, double left) const;

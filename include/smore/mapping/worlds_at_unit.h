@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "smore/mapping/believed_prior.h"
@@ -73,12 +76,22 @@ class WorldsAtUnit {
     Eigen::Isometry3f T_map_object;
     float reach;
   };
+  struct Overlaps {
+    std::once_flag once;
+    std::atomic<bool> made{false};  ///< they are asked for too often to ask the flag
+    std::vector<MatterOverlap> all;
+  };
   /// Of touched matter and known one.
   TouchDistance touchDistance(const KnownBalls& known) const;
+  /// Of touched or known matter of either side. Made when they are first asked for: they are large,
+  /// and maps do without. Threads may ask at the same time.
+  const std::vector<MatterOverlap>& overlaps() const;
+  std::vector<MatterOverlap> makeOverlaps() const;
   bool isLikeATouchingPose(const Eigen::Isometry3f& T_map_object) const;
 
   double radius_;
   double contact_distance_;
+  bool planar_;
   HypothesisMask members_;
   UnknownPlaces unknown_;
   std::vector<TouchingPose> touching_poses_;
@@ -86,7 +99,7 @@ class WorldsAtUnit {
   std::vector<MaskedPoint> world_;
   std::vector<KnownBalls> known_object_;
   std::vector<KnownBalls> known_world_;
-  std::vector<MatterOverlap> overlaps_;  ///< touched or known matter of either side
+  std::unique_ptr<Overlaps> overlaps_ = std::make_unique<Overlaps>();
 };
 
 }  // namespace smore

@@ -63,7 +63,7 @@ class RiskPlanner : public Planner {
   /// Touches that are taken to have come of matter that nobody knew of.
   double surprisesIn(const Worlds& worlds) const;
   void searchFurther(const Search& search, std::vector<RiskPath>* paths);
-  void addAlternatives(const Search& search, std::vector<RiskPath>* paths) const;
+  void addAlternatives(const Search& search, std::vector<RiskPath>* paths);
   void addPostures(const Search& search, std::vector<RiskPath>* paths) const;
   void improve(const Search& search, int attempts, std::size_t first, std::size_t last,
                std::vector<RiskPath>* paths) const;

@@ -23,13 +23,28 @@ class FaultPlace {
  public:
   void observe(const FaultSign& sign) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (sign.faulted && !faulted_) place_ = {sign.time, sign.T_world_object, isPressed()};
+    if (sign.faulted && !faulted_) {
+      const Place last = place_.value_or(Place{});
+      place_ = {sign.time, sign.T_world_object, last.pressed, last.zeroed};
+    }
     faulted_ = sign.faulted;
     if (!place_) return;
     place_->pressed = place_->pressed || sign.presses;
     const bool stands = sign.time - place_->since > PressWatch::kComesToRest;
     const bool moved = gapBetween(place_->T_world_object, sign.T_world_object) > kMoved;
     if (moved || (stands && !place_->pressed)) place_.reset();
+  }
+
+  /// The robot's program starts, at which a UR zeroes its sensor.
+  void onProgramStart() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (place_) place_->zeroed = place_->zeroed || place_->pressed;
+  }
+
+  /// Whether the object still is there, and the sensor was zeroed under what presses there.
+  bool isZeroed() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return place_ && place_->zeroed;
   }
 
   /// Whether the object still is where the last such fault found it.
@@ -39,12 +54,11 @@ class FaultPlace {
   }
 
  private:
-  bool isPressed() const { return place_ && place_->pressed; }
-
   struct Place {
-    double since;  ///< [s]
-    Pose T_world_object;
-    bool pressed;
+    double since = 0.0;  ///< [s]
+    Pose T_world_object = Pose::Identity();
+    bool pressed = false;
+    bool zeroed = false;
   };
 
   static constexpr double kMoved = 0.01;  ///< [m + rad]; no arm bends so far under a force that it

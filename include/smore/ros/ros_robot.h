@@ -98,6 +98,8 @@ class RosRobot : public Robot {
   std::optional<ContactObservation> nextObservation();
   Motion begin(const Path& path);
   Step advance(Motion* motion);
+  /// Of the robot's program, which moves it.
+  void onProgram(bool runs);
   /// Corrects a motion that stands close to its target.
   void aimAgain(Motion* motion);
   /// One motion along `back`, to its end or until the robot stands.
@@ -127,14 +129,15 @@ class RosRobot : public Robot {
   FaultPlace fault_place_;
   PressWatch press_;
   ros::Publisher command_, sign_of_life_;
-  ros::Subscriber contact_;
+  ros::Subscriber contact_, program_;
   ros::ServiceClient reset_;
   ros::AsyncSpinner spinner_{1, &queue_};
   Trail trail_;  ///< since the last reset, or since the robot was moved by other means
   SignCheck sign_;
   std::mutex command_mutex_;  ///< so that no motion is sent after the stop that forbids it
   std::atomic<bool> stop_requested_{false};
-  int known_faults_ = 0;  ///< of the guard
+  int known_faults_ = 0;      ///< of the guard
+  bool program_runs_ = true;  ///< as far as was told; of the callbacks' thread
 };
 
 }  // namespace smore

@@ -36,6 +36,10 @@ struct MotionSpace {
   /// coordinates of a tilted plane.
   bool inWorkspace(const Pose& T_world_object) const;
 
+  /// How far the pose of an arm lies beside the plane of planar motion, in words for the user;
+  /// empty where it is near enough to count as in it (isNearPlane).
+  std::string whyBeside(const Pose& T_world_object) const;
+
   /// Why it does not contain the pose, in words for the user; empty where it does, or does but for
   /// rounding.
   std::string whyOutside(const Pose& T_world_object) const;
