@@ -9,7 +9,8 @@ std::string RosRobot::waitUntilReady() {
   if (fault_place_.isZeroed()) {
     return "the robot's program was started while the object pressed, which zeroes the sensor of a "
            "UR: what presses is no longer felt; move the object free by hand or by the pendant, by "
-           "1 cm at least, then send the goal again";
+           "1 cm at least, zero the sensor there by its driver (zero_ftsensor), then send the goal "
+           "again";
   }
   if (!parameters_.zero_service.empty() && !fault_place_.isHere()) {
     std::string problem = zeroSensor(&node_, parameters_.zero_service, parameters_.ready_timeout,

@@ -14,6 +14,7 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from std_srvs.srv import SetBool, Trigger
 from tf2_msgs.msg import TFMessage
+from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
 from action_clients import has_ended
 from node_killing import MOVES, STANDS, speed
@@ -189,6 +190,38 @@ class RobotTwin(unittest.TestCase):
         self.assertTrue(wait_until(lambda: "planning" in phases), "no next goal")
         self.assertGreater(distance(first, self.contacts.messages()[-1]), HAS_BACKED_OFF)
         self.assertLess(math.hypot(*force(self.wrenches.messages()[-1])), CONTACT_FORCE)
+        self.client.cancel_goal()
+        self.assertTrue(has_ended(self.client))
+
+    def moved_by_somebody_else(self, positions):
+        """Sends the arm to these joint positions past guard and retrieval, as a pendant would. The guard's reflex ends
+        the first of these motions: what is free feels like a contact where the sensor was zeroed under a press."""
+        command = rospy.Publisher("/scaled_pos_joint_traj_controller/command", JointTrajectory, queue_size=1)
+        self.addCleanup(command.unregister)
+        self.assertTrue(wait_until(lambda: command.get_num_connections() > 0))
+        end = JointTrajectoryPoint(positions=positions, velocities=[0.0] * len(positions))
+        end.time_from_start = rospy.Duration(2.0)
+        motion = JointTrajectory(joint_names=self.joints.messages()[-1].name, points=[end])
+        there = lambda m: all(abs(a - b) < HERE for a, b in zip(m.position, positions))
+        arrives = lambda: command.publish(motion) or self.joints.wait_for(there, 4.0) is not None
+        self.assertTrue(wait_until(arrives), "it does not go there")
+
+    def test_a_program_that_is_started_under_a_press_moves_nothing_until_the_object_is_free(self):
+        self.joints.clear()
+        start = self.joints.wait_for(lambda m: True).position
+        self.assertTrue(wait_until(self.stopped_in_contact))
+        self.assertTrue(rospy.ServiceProxy("robot_twin/protective_stop", Trigger)().success)
+        self.assertIsNotNone(self.faults.wait_for(lambda m: "protective stop" in m.data), "no fault")
+        self.go_on()
+        self.joints.clear()
+        self.client.send_goal(RetrieveGoal())
+        self.assertTrue(has_ended(self.client))
+        self.assertIn("was started while the object pressed", self.client.get_result().message)
+        self.assertLess(max(speed(m) for m in self.joints.messages()), STANDS)
+        self.moved_by_somebody_else(start)
+        self.assertTrue(rospy.ServiceProxy("/ur_hardware_interface/zero_ftsensor", Trigger)().success)
+        phases = self.send_goal(RetrieveGoal())
+        self.assertTrue(wait_until(lambda: "planning" in phases), "no goal once the object is free")
         self.client.cancel_goal()
         self.assertTrue(has_ended(self.client))
 

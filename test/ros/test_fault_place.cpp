@@ -78,6 +78,15 @@ TEST(FaultPlace, knowsThatTheSensorWasZeroedUnderWhatPresses) {
   EXPECT_FALSE(place.isZeroed()) << "it has been moved";
 }
 
+TEST(FaultPlace, knowsSoWhereTheFaultHasNotBeenToldYet) {
+  FaultPlace place;
+  place.observe(at(1.0, 0.0, !kFault, kPresses));
+  place.onProgramStart();
+  place.observe(at(1.1, 0.0, kFault, !kPresses));
+  place.observe(at(9.0, 0.0, !kFault, !kPresses));
+  EXPECT_TRUE(place.isZeroed());
+}
+
 TEST(FaultPlace, isNotZeroedWhereNothingPresses) {
   FaultPlace place;
   place.observe(at(1.0, 0.0, kFault, !kPresses));

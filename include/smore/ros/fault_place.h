@@ -23,6 +23,7 @@ class FaultPlace {
  public:
   void observe(const FaultSign& sign) {
     const std::lock_guard<std::mutex> lock(mutex_);
+    last_ = sign;
     if (sign.faulted && !faulted_) {
       const Place last = place_.value_or(Place{});
       place_ = {sign.time, sign.T_world_object, last.pressed, last.zeroed};
@@ -35,9 +36,11 @@ class FaultPlace {
     if (moved || (stands && !place_->pressed)) place_.reset();
   }
 
-  /// The robot's program starts, at which a UR zeroes its sensor.
+  /// The robot's program, which had ended, starts, at which a UR zeroes its sensor. That it had
+  /// ended is a fault, be it told as one or not.
   void onProgramStart() {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (!place_ && last_) place_ = {last_->time, last_->T_world_object, last_->presses, false};
     if (place_) place_->zeroed = place_->zeroed || place_->pressed;
   }
 
@@ -65,6 +68,7 @@ class FaultPlace {
                                           ///< bears, so that this was a motion
 
   mutable std::mutex mutex_;
+  std::optional<FaultSign> last_;
   std::optional<Place> place_;
   bool faulted_ = false;
 };
