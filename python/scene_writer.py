@@ -162,6 +162,7 @@ class Planar:
 
 
 def write(directory, name, comment, lines):
+    os.makedirs(directory, exist_ok=True)
     path = os.path.join(directory, name + ".yaml")
     with open(path, "w", encoding="utf-8") as file:
         file.write("# " + comment + "\n" + "\n".join(["name: " + name, *lines]) + "\n")

@@ -22,6 +22,11 @@ std::string JsonLinesWriter::lineOf(const Json& record) {
   return record.dump(kOneLine, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+std::string textOf(const Json& record) {
+  constexpr int kIndent = 2;
+  return record.dump(kIndent, ' ', false, Json::error_handler_t::replace);
+}
+
 bool readJsonLines(const std::string& file,
                    const std::function<void(int line, const Json& record)>& take) {
   std::ifstream stream(file);

@@ -216,8 +216,9 @@ std::vector<TrialResult> runExperiment(const Scenario& scenario,
     }
   };
   std::vector<std::thread> threads;
-  threads.reserve(parameters.jobs);
-  for (int i = 0; i < parameters.jobs; ++i) threads.emplace_back(work);
+  const int jobs = std::min(parameters.jobs, parameters.trials);
+  threads.reserve(jobs);
+  for (int i = 0; i < jobs; ++i) threads.emplace_back(work);
   for (std::thread& thread : threads) thread.join();
 
   std::vector<TrialResult> finished;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 
+#include "smore/common/json_lines.h"
 #include "smore/experiment/experiment.h"
 
 namespace smore {
@@ -114,7 +115,7 @@ std::string toJson(const Scenario& scenario, const ExperimentParameters& paramet
   if (takesParameters(parameters.method)) {
     json["parameters"] = toJson(parameters.method, parameters.method_parameters);
   }
-  return json.dump(2);
+  return textOf(json);
 }
 
 }  // namespace smore

@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "smore/common/json_lines.h"
 #include "smore/common/version.h"
 #include "smore/experiment/map_files.h"
 #include "smore/mapping/octomap_export.h"
@@ -62,7 +63,7 @@ void rebuild(Evidence evidence, const RebuildChanges& changes, const std::string
   saveMaps(*method.maps, directory);
   const std::string file = directory + "/summary.json";
   std::ofstream stream(file);
-  stream << summaryJson(evidence, *method.maps).dump(2) << std::endl;
+  stream << textOf(summaryJson(evidence, *method.maps)) << std::endl;
   if (!stream) throw std::runtime_error(file + ": cannot be written; check the disk");
 }
 

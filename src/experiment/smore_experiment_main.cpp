@@ -189,11 +189,14 @@ int run(Arguments arguments) {
   // From here on there are trials to be finished and written; before, a signal ends the program.
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
+  std::signal(SIGHUP, onInterrupt);
+  std::signal(SIGPIPE, SIG_IGN);  // whoever looks on may go; the results are worth hours
   smore::ProgressDisplay display(&std::cerr, isatty(STDERR_FILENO) != 0,
                                  arguments.parameters.trials);
   const auto trials =
       smore::runExperiment(scenario, arguments.parameters, interrupted,
                            [&display](const auto& progress) { display.update(progress); });
+  if (interrupted && trials.empty()) return kInterrupted;  // an earlier file stays
   const std::string json = smore::toJson(scenario, arguments.parameters, trials);
   return write(json, arguments.output) ? exitCode(trials) : smore::kInternalError;
 }

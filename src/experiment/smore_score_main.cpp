@@ -4,6 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "smore/common/json_lines.h"
 #include "smore/common/result.h"
 #include "smore/common/version.h"
 #include "smore/experiment/command_line.h"
@@ -51,11 +52,18 @@ int run(const Arguments& arguments) {
   if (!arguments.method_parameters.empty()) {
     parameters = smore::loadMethodParameters(arguments.method_parameters);
   }
-  std::vector<smore::TrialScores> trials;
+  // All are read before the first is scored, which takes long.
+  std::vector<smore::Evidence> evidence;
+  std::vector<smore::TrialTruth> truths;
   for (const std::string& file : arguments.evidence) {
-    std::cerr << file << std::endl;
-    trials.push_back(smore::scoreTrial(smore::readEvidence(file, parameters),
-                                       smore::readTruth(file),
+    evidence.push_back(smore::readEvidence(file, parameters));
+    if (!evidence.back().whole) std::cerr << file << ": the last record was cut" << std::endl;
+    truths.push_back(smore::readTruth(file));
+  }
+  std::vector<smore::TrialScores> trials;
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    std::cerr << arguments.evidence[i] << std::endl;
+    trials.push_back(smore::scoreTrial(evidence[i], truths[i],
                                        arguments.quick ? smore::kQuickEffort : smore::kFullEffort));
   }
   const smore::Json json{{"program", std::string("smore ") + smore::programVersion()},
@@ -64,13 +72,13 @@ int run(const Arguments& arguments) {
                          {"parameters", smore::toJson(smore::MethodKind::kSmore, parameters)},
                          {"groups", smore::scoreReport(trials)}};
   if (arguments.output.empty()) {
-    std::cout << json.dump(2) << std::endl;
+    std::cout << smore::textOf(json) << std::endl;
     return 0;
   }
   std::ofstream stream(arguments.output);
-  stream << json.dump(2) << std::endl;
+  stream << smore::textOf(json) << std::endl;
   if (!stream) {
-    std::cout << json.dump(2) << std::endl;
+    std::cout << smore::textOf(json) << std::endl;
     std::cerr << arguments.output
               << ": cannot be written; check the disk; the scores are on standard output"
               << std::endl;

@@ -56,14 +56,16 @@ HypothesisMask ForbiddenMatter::at(const Eigen::Vector3f& point) const {
   if (other_.empty()) return 0;
   const MaskBricks::Cell cell = lattice_.cellAt(point);
   const CellBox tile = tileWith(cell, planar_);
-  Tile& known = tileAt(tile.lowest);
+  Tile& known = tileAt(tile);
   std::call_once(known.swept, [&] { known.matter = sweptThrough(tile); });
   return known.matter.at(cell);
 }
 
-ForbiddenMatter::Tile& ForbiddenMatter::tileAt(const MaskBricks::Cell& lowest) const {
+ForbiddenMatter::Tile& ForbiddenMatter::tileAt(const CellBox& tile) const {
+  const auto& [lowest, side, layers] = tile;
+  const std::uint64_t key = cellKey(lowest[0] / side, lowest[1] / side, lowest[2] / layers);
   const std::lock_guard<std::mutex> lock(tiles_->finding);
-  return tiles_->by_place[cellKey(lowest[0], lowest[1], lowest[2])];
+  return tiles_->by_place[key];
 }
 
 MaskBox ForbiddenMatter::sweptThrough(const CellBox& tile) const {

@@ -5,6 +5,10 @@
 
 namespace smore {
 
+void SampledWorlds::prepareTouching() const {
+  for (const WorldsAtUnit& part : parts_) part.prepareTouching();
+}
+
 HypothesisMask SampledWorlds::touching(const Eigen::Isometry3f& T_map_object, int enough) const {
   HypothesisMask result = 0;
   for (const WorldsAtUnit& part : parts_) {

@@ -79,6 +79,7 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
 
 Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   const std::shared_ptr<const Worlds> worlds = belief_->worlds();
+  worlds->sampled.prepareTouching();
   const Deadline deadline(parameters_.time_limit);
   const std::uint64_t seed = mixBits(seed_, calls_++);
   const double unit = worlds->unit;

@@ -98,12 +98,7 @@ void read(const ParameterField& field, ParameterReader* reader) {
 }
 
 // What no parameter's own range says.
-void checkTogether(const JointBeliefParameters& belief, const RiskPlannerParameters& planner,
-                   ParameterReader* reader) {
-  if (2.0 * planner.lever < belief.feature.reach) {
-    reader->error("planner.lever",
-                  "must be half of belief.reach at least, or turns pass through matter unseen");
-  }
+void checkTogether(const JointBeliefParameters& belief, ParameterReader* reader) {
   if (belief.feature.conflictDistance() < kLeastBalls) {
     reader->error("belief.tolerance", "must be below twice belief.radius, by 0.01 at least");
   }
@@ -134,13 +129,20 @@ MethodParameters readMethodParameters(const YAML::Node& mapping, const std::stri
     for (const ParameterField& field : section.fields) read(field, &nested);
     nested.finishNested();
   }
-  checkTogether(parameters.belief, parameters.planner, &reader);
+  checkTogether(parameters.belief, &reader);
   reader.finish();
   return parameters;
 }
 
 MethodParameters loadMethodParameters(const std::string& file, const MethodParameters& defaults) {
-  return readMethodParameters(loadYaml(file), file, defaults);
+  MethodParameters parameters = readMethodParameters(loadYaml(file), file, defaults);
+  // Not of recorded ones, with which nothing is planned.
+  if (2.0 * parameters.planner.lever < parameters.belief.feature.reach) {
+    throw InputError(file +
+                     ": planner.lever: must be half of belief.reach at least, or turns pass "
+                     "through matter unseen");
+  }
+  return parameters;
 }
 
 bool takesParameters(MethodKind method) { return !toJson(method, {}).empty(); }

@@ -129,7 +129,7 @@ class GuardNode {
     if (!stream_.active() || !joints || !turns_.upToDate(now())) return;
     // What else has come may wait behind this message still: whether that is late is said later.
     const auto horizon = stream_.advance(joints->time, braked_ ? 0.0 : speed_.scaling());
-    if (horizon) guarded_.publish(toMessage(*horizon));
+    if (horizon && guard_.lateness(turns_.heard()).empty()) guarded_.publish(toMessage(*horizon));
   }
 
   /// Brakes a motion that must wait, which then stays as far as it has come. Where the joints are

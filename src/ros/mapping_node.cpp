@@ -120,7 +120,7 @@ class MappingNode {
       return;
     }
     const std::string beside = space_.whyBeside(observation->T_world_object);
-    if (!beside.empty() && warning_.isDue())
+    if (!beside.empty() && beside_warning_.isDue())
       ROS_WARN_STREAM("observations are left out: the object is " << beside);
     keeper_->push(*observation);
   }
@@ -266,6 +266,7 @@ class MappingNode {
   ros::WallTimer timer_;
   MappingReport report_;
   StatusPublisher statuses_;
+  Throttle beside_warning_{kWarningPeriod};
   Throttle warning_{kWarningPeriod};
 };
 

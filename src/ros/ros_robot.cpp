@@ -72,7 +72,7 @@ Pose RosRobot::pose() const {
 double RosRobot::stamp() const { return stream_.latest().value_or(ContactObservation{}).time; }
 
 void RosRobot::onProgram(bool runs) {
-  if (runs && !program_runs_) fault_place_.onProgramStart();
+  if (runs && !program_runs_) fault_place_.onProgramStart(press_.pressesFromTheWay());
   program_runs_ = runs;
 }
 

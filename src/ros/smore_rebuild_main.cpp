@@ -68,7 +68,12 @@ smore::Evidence evidenceOf(const Arguments& arguments,
   }
   if (!arguments.bag.empty()) return fromBag(arguments, parameters);
   smore::Evidence evidence = smore::readEvidence(arguments.evidence, parameters);
-  if (!arguments.scenario.empty()) smore::changeTask(arguments.scenario, &evidence.source);
+  if (arguments.scenario.empty()) return evidence;
+  smore::changeTask(arguments.scenario, &evidence.source);
+  if (const std::size_t left_out = smore::leaveOutBesideThePlane(&evidence); left_out > 0) {
+    std::cerr << arguments.evidence << ": " << left_out
+              << " observations beside the plane of motion are left out" << std::endl;
+  }
   return evidence;
 }
 

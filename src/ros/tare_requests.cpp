@@ -20,11 +20,9 @@ std::optional<std::uint8_t> TareRequests::apply(double time, ContactSensing* sen
   if (zeroing_asked_at_) return suspend(time, sensing);
   const bool over = suspended_until_ && time > *suspended_until_;
   if (over) suspended_until_.reset();
-  if (tare_.take() || over) {
-    asked_at_ = time;
-    by_itself_ = over;
-  }
-  if (!asked_at_) return std::nullopt;
+  by_itself_ = by_itself_ || over;
+  if (tare_.take()) asked_at_ = time;
+  if (!tareWaits()) return std::nullopt;
   return begin(time, sensing);
 }
 
@@ -35,7 +33,6 @@ std::optional<std::uint8_t> TareRequests::suspend(double time, ContactSensing* s
   suspension_.finish({objection.empty(), objection});
   if (!objection.empty()) return std::nullopt;
   sensing->suspend();
-  if (by_itself_) asked_at_.reset();
   by_itself_ = false;
   suspended_until_ = time + kLongestSuspension;
   return Event::SUSPEND;
@@ -43,14 +40,14 @@ std::optional<std::uint8_t> TareRequests::suspend(double time, ContactSensing* s
 
 std::optional<std::uint8_t> TareRequests::begin(double time, ContactSensing* sensing) {
   const std::string objection = sensing->tareObjection();
-  // Where nobody asked, nobody would ask again: without a tare nothing is felt.
-  const bool waits = by_itself_ || time - *asked_at_ < kPasses;
-  if (!objection.empty() && waits) return std::nullopt;
-  forget();
   if (!objection.empty()) {
+    // Who asked is told; a tare that begins by itself goes on waiting: without it nothing is felt.
+    if (!asked_at_ || time - *asked_at_ < kPasses) return std::nullopt;
+    asked_at_.reset();
     tare_.finish({false, objection});
     return std::nullopt;
   }
+  forget();
   sensing->startTare();
   return Event::TARE;
 }

@@ -27,8 +27,8 @@ class TareRequests {
   /// Whether nothing is claimed because the sensor is about to be zeroed.
   bool suspended() const { return suspended_until_ || by_itself_; }
 
-  /// Whether a tare was asked for that has not begun.
-  bool tareWaits() const { return asked_at_.has_value(); }
+  /// Whether a tare is to begin that has not.
+  bool tareWaits() const { return asked_at_ || by_itself_; }
 
   /// Forgets what has not begun.
   void forget();
@@ -39,7 +39,7 @@ class TareRequests {
 
   SensingRequest tare_, suspension_;
   std::optional<double> asked_at_;          ///< for a tare [s]
-  bool by_itself_ = false;                  ///< nobody asked for the tare, and nobody waits
+  bool by_itself_ = false;                  ///< a suspension has ended without a tare
   std::optional<double> zeroing_asked_at_;  ///< for a suspension [s]
   std::optional<double> suspended_until_;   ///< [s]
 };

@@ -125,7 +125,8 @@ std::string toJson(const Scenario& s) {
     json["object"] = bodyJson(s.object);
     json["environment"] = bodyJson(s.environment);
   }
-  return json.dump();
+  constexpr int kOneLine = -1;
+  return json.dump(kOneLine, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace smore

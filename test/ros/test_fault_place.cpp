@@ -64,12 +64,14 @@ TEST(FaultPlace, isNoneWhereNothingPressedWhenItStoodStill) {
   EXPECT_FALSE(place.isHere());
 }
 
+constexpr bool kMet = true;
+
 TEST(FaultPlace, knowsThatTheSensorWasZeroedUnderWhatPresses) {
   FaultPlace place;
-  place.onProgramStart();
+  place.onProgramStart(kMet);
   place.observe(at(1.0, 0.0, kFault, kPresses));
   EXPECT_FALSE(place.isZeroed());
-  place.onProgramStart();
+  place.onProgramStart(!kMet);
   place.observe(at(9.0, 0.0, !kFault, !kPresses));
   EXPECT_TRUE(place.isZeroed()) << "what presses is felt no longer";
   place.observe(at(10.0, 0.0, kFault, !kPresses));
@@ -81,7 +83,7 @@ TEST(FaultPlace, knowsThatTheSensorWasZeroedUnderWhatPresses) {
 TEST(FaultPlace, knowsSoWhereTheFaultHasNotBeenToldYet) {
   FaultPlace place;
   place.observe(at(1.0, 0.0, !kFault, kPresses));
-  place.onProgramStart();
+  place.onProgramStart(kMet);
   place.observe(at(1.1, 0.0, kFault, !kPresses));
   place.observe(at(9.0, 0.0, !kFault, !kPresses));
   EXPECT_TRUE(place.isZeroed());
@@ -90,8 +92,23 @@ TEST(FaultPlace, knowsSoWhereTheFaultHasNotBeenToldYet) {
 TEST(FaultPlace, isNotZeroedWhereNothingPresses) {
   FaultPlace place;
   place.observe(at(1.0, 0.0, kFault, !kPresses));
-  place.onProgramStart();
+  place.onProgramStart(!kMet);
   EXPECT_FALSE(place.isZeroed());
+  FaultPlace opened;
+  opened.observe(at(1.0, 0.0, kFault, kPresses));
+  opened.observe(at(5.0, 0.0, kFault, !kPresses));
+  opened.onProgramStart(!kMet);
+  EXPECT_FALSE(opened.isZeroed()) << "the gripper was opened by hand";
+}
+
+// The program was stopped to grip an object by hand; its weight is zeroed, as it should be.
+TEST(FaultPlace, isNoneWhereAnObjectWasGrippedWhileTheProgramDidNotRun) {
+  FaultPlace place;
+  place.observe(at(1.0, 0.0, !kFault, kPresses));
+  place.onProgramStart(!kMet);
+  EXPECT_FALSE(place.isHere());
+  place.observe(at(1.1, 0.0, !kFault, !kPresses));
+  EXPECT_FALSE(place.isHere());
 }
 
 }  // namespace

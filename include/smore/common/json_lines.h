@@ -29,6 +29,10 @@ class JsonLinesWriter {
   std::ofstream stream_;
 };
 
+/// Text of a record for a file of its own, indented. Bytes that are not UTF-8, as a file's name may
+/// have, are replaced.
+std::string textOf(const Json& record);
+
 /// Hands each whole line of the file to `take`, with its number from 1 on, in their order. A last
 /// line without its end is a record that was cut: it is left out, and the result is false; else
 /// true. InputError with file and line for a file that cannot be read, and for a line that is not a

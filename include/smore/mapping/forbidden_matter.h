@@ -40,7 +40,7 @@ class ForbiddenMatter {
     std::unordered_map<std::uint64_t, Tile> by_place;
   };
 
-  Tile& tileAt(const MaskBricks::Cell& lowest) const;
+  Tile& tileAt(const CellBox& tile) const;
   MaskBox sweptThrough(const CellBox& tile) const;
 
   std::vector<MaskedPoint> other_;

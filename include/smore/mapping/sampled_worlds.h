@@ -17,6 +17,9 @@ class SampledWorlds {
   /// Parts that have no world in common.
   explicit SampledWorlds(std::vector<WorldsAtUnit> parts) : parts_(std::move(parts)) {}
 
+  /// Makes what `touching` looks things up in, which the first call does else, and takes a moment.
+  void prepareTouching() const;
+
   /// The worlds in which the object touches at this pose in the map frame. Once they are more than
   /// `enough`, the rest may be missing.
   HypothesisMask touching(const Eigen::Isometry3f& T_map_object,

@@ -43,6 +43,9 @@ class WorldsAtUnit {
   WorldsAtUnit(const WorldSamples& samples, const FeatureParameters& feature,
                const ExtentParameters& extent, bool planar, std::uint64_t seed);
 
+  /// Makes what `touching` looks things up in, which the first call does else, and takes a moment.
+  void prepareTouching() const { (void)overlaps(); }
+
   /// From now on the object touches in every world at poses like this one, at which it did touch:
   /// those from which no matter within `reach` [m] of the object frame's origin has moved by more
   /// than half the distance at which two balls touch.

@@ -25,7 +25,7 @@ struct RiskPlannerParameters {
   int alternatives = 12;           ///< in space: paths of earlier searches that are looked at anew
   /// Wall time of a search after which the best path so far is taken; where there is none yet, one
   /// at any risk [s].
-  double time_limit = 60.0;
+  double time_limit = 3600.0;
   /// In units of length: longest edge of the trees, in the metric of the search ...
   double step = 1.2;
   /// ... and what a radian counts in it: half of the reach of what is held, in units of that.

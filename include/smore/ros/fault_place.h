@@ -36,12 +36,14 @@ class FaultPlace {
     if (moved || (stands && !place_->pressed)) place_.reset();
   }
 
-  /// The robot's program, which had ended, starts, at which a UR zeroes its sensor. That it had
-  /// ended is a fault, be it told as one or not.
-  void onProgramStart() {
+  /// The robot's program, which had ended, starts, at which a UR zeroes its sensor. `met`: what
+  /// presses, if anything does, was met on the way, and is no weight that was just gripped. That
+  /// the program had ended is a fault then, be it told as one or not.
+  void onProgramStart(bool met) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!place_ && last_) place_ = {last_->time, last_->T_world_object, last_->presses, false};
-    if (place_) place_->zeroed = place_->zeroed || place_->pressed;
+    if (!last_ || !last_->presses) return;
+    if (met && !place_) place_ = {last_->time, last_->T_world_object, true, false};
+    if (place_) place_->zeroed = true;
   }
 
   /// Whether the object still is there, and the sensor was zeroed under what presses there.
