@@ -4,6 +4,7 @@
 #include <string>
 
 #include "../common/refusal.h"
+#include "smore/mapping/octomap_export.h"
 #include "smore/mapping/prior_maps.h"
 
 namespace smore {

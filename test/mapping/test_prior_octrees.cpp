@@ -6,7 +6,6 @@
 
 #include "../scenario/temporary_directory.h"
 #include "prior_scenes.h"
-#include "smore/mapping/octomap_export.h"
 
 namespace smore {
 namespace {
