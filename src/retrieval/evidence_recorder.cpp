@@ -10,7 +10,7 @@
 namespace smore {
 
 EvidenceRecorder::EvidenceRecorder(JsonLinesWriter* file, const EvidenceSource& source)
-    : file_(file), filter_(kLossless) {
+    : file_(file), filter_(lossless()) {
   for (const Json& record : sourceRecords(source)) file_->append(record);
 }
 

@@ -27,7 +27,7 @@ TEST(EvidenceFilter, keepsFreePosesThatAreFarEnoughFromTheLastKept) {
 }
 
 TEST(EvidenceFilter, keepsEachContactOnceAndEveryLine) {
-  EvidenceFilter filter(kLossless);
+  EvidenceFilter filter(lossless());
   EXPECT_TRUE(filter.keeps(at(0.0, ContactState::kContact, 1)));
   EXPECT_FALSE(filter.keeps(at(0.1, ContactState::kContact, 1)));
   ContactObservation line = at(0.1, ContactState::kContact, 1);
@@ -40,7 +40,7 @@ TEST(EvidenceFilter, keepsEachContactOnceAndEveryLine) {
 }
 
 TEST(EvidenceFilter, withoutLossKeepsEveryFreePoseButRepetitions) {
-  EvidenceFilter filter(kLossless);
+  EvidenceFilter filter(lossless());
   EXPECT_TRUE(filter.keeps(freeAt(0.1)));
   EXPECT_FALSE(filter.keeps(freeAt(0.1)));
   EXPECT_TRUE(filter.keeps(freeAt(std::nextafter(0.1, 1.0))));

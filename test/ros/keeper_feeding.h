@@ -12,7 +12,7 @@
 namespace smore {
 
 constexpr double kLongEnough = 20.0;  // [s]; a wait that fails takes this long
-constexpr EvidenceSpacing kSpacing{0.003, 0.01};
+const EvidenceSpacing kSpacing{0.003, 0.01, std::nullopt};
 
 inline EvidenceSource source(MethodKind method) {
   EvidenceSource source;

@@ -20,7 +20,7 @@ struct EvidenceSpacing {
 /// With this, only that is left out which changes nothing that learns from observations (TwinMap,
 /// CspaceMemory): unsure samples without a line, a contact that goes on, a free sample at the very
 /// pose of the one before.
-constexpr EvidenceSpacing kLossless{0.0, 0.0};
+inline EvidenceSpacing lossless() { return {0.0, 0.0, std::nullopt}; }
 
 /// Keeps the observations that say something new: a line, a new contact, a change of state, a free
 /// pose away from the last. So what is kept grows with the way travelled and with the contacts, not

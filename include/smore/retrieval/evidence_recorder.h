@@ -15,7 +15,7 @@ class EvidenceRecorder : public MotionObserver {
   /// Writes header, task, method and priors to `file`, which is empty and must outlive this.
   EvidenceRecorder(JsonLinesWriter* file, const EvidenceSource& source);
 
-  /// Records an observation, unless it provably changes no map (kLossless). Whether it did.
+  /// Records an observation, unless it provably changes no map (lossless). Whether it did.
   bool observe(const ContactObservation& observation);
 
   void motionBegins(const Path& path, const std::optional<double>& risk) override;
