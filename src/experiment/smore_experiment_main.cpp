@@ -189,7 +189,7 @@ int run(Arguments arguments) {
   // From here on there are trials to be finished and written; before, a signal ends the program.
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
-  std::signal(SIGHUP, onInterrupt);
+  if (std::signal(SIGHUP, onInterrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
   std::signal(SIGPIPE, SIG_IGN);  // whoever looks on may go; the results are worth hours
   smore::ProgressDisplay display(&std::cerr, isatty(STDERR_FILENO) != 0,
                                  arguments.parameters.trials);

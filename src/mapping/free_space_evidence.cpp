@@ -41,11 +41,19 @@ void FreeSpaceEvidence::mark(int object_place, int world_place) {
 bool FreeSpaceEvidence::addPose(const Pose& T_map_object) {
   if (!cells_.add(T_map_object)) return false;
   poses_.push_back(cells_.centerOf(T_map_object).cast<float>());
-  const Eigen::Isometry3f& T = poses_.back();
-  for (std::size_t i = 0; i < object_places_.size(); ++i) {
-    world_index_.forNear(T * object_places_[i], [&](int j) { mark(static_cast<int>(i), j); });
-  }
+  markOnObject(poses_.back(), 0, static_cast<int>(object_places_.size()));
   return true;
+}
+
+void FreeSpaceEvidence::markOnObject(const Eigen::Isometry3f& T_map_object, int first, int end) {
+  for (int i = first; i < end; ++i) {
+    world_index_.forNear(T_map_object * object_places_[i], [&](int j) { mark(i, j); });
+  }
+}
+
+int FreeSpaceEvidence::endOf(int contact) const {
+  const bool is_last = contact + 1 == static_cast<int>(first_place_.size());
+  return is_last ? static_cast<int>(contact_of_.size()) : first_place_[contact + 1];
 }
 
 // The places of different contacts on the object write into different tables.
@@ -55,12 +63,9 @@ void FreeSpaceEvidence::addPoses(const std::vector<Pose>& T_map_object) {
     if (cells_.add(pose)) poses_.push_back(cells_.centerOf(pose).cast<float>());
   }
   parallelFor(first_place_.size(), [&](std::size_t contact) {
-    const bool is_last = contact + 1 == first_place_.size();
-    const int end = is_last ? static_cast<int>(contact_of_.size()) : first_place_[contact + 1];
-    for (auto T = poses_.begin() + static_cast<std::ptrdiff_t>(known); T != poses_.end(); ++T) {
-      for (int i = first_place_[contact]; i < end; ++i) {
-        world_index_.forNear(*T * object_places_[i], [&](int j) { mark(i, j); });
-      }
+    const int end = endOf(static_cast<int>(contact));
+    for (std::size_t i = known; i < poses_.size(); ++i) {
+      markOnObject(poses_[i], first_place_[contact], end);
     }
   });
 }
@@ -90,11 +95,6 @@ void FreeSpaceEvidence::insertContact(int contact, const ContactHypotheses& plac
 // The places of one contact on the object with all in the world; its places in the world with those
 // on the object of all others. The two write into different tables.
 void FreeSpaceEvidence::markContact(int first, int end) {
-  const auto mark_on_object = [&](const Eigen::Isometry3f& T) {
-    for (int i = first; i < end; ++i) {
-      world_index_.forNear(T * object_places_[i], [&](int j) { mark(i, j); });
-    }
-  };
   const auto mark_in_world = [&](const Eigen::Isometry3f& T) {
     const Eigen::Isometry3f T_object_map = T.inverse();
     for (int j = first; j < end; ++j) {
@@ -104,14 +104,15 @@ void FreeSpaceEvidence::markContact(int first, int end) {
     }
   };
   parallelFor(2, [&](std::size_t role) {
-    for (const Eigen::Isometry3f& T : poses_) role == 0 ? mark_on_object(T) : mark_in_world(T);
+    for (const Eigen::Isometry3f& T : poses_) {
+      role == 0 ? markOnObject(T, first, end) : mark_in_world(T);
+    }
   });
 }
 
 void FreeSpaceEvidence::removeContact(int contact) {
   const int first = first_place_[contact];
-  const bool is_last = contact + 1 == static_cast<int>(first_place_.size());
-  const int end = is_last ? static_cast<int>(contact_of_.size()) : first_place_[contact + 1];
+  const int end = endOf(contact);
   object_places_.erase(object_places_.begin() + first, object_places_.begin() + end);
   world_places_.erase(world_places_.begin() + first, world_places_.begin() + end);
   contact_of_.erase(contact_of_.begin() + first, contact_of_.begin() + end);

@@ -28,12 +28,7 @@ WorldsAtUnit::WorldsAtUnit(const WorldSamples& samples, const FeatureParameters&
 }
 
 const std::vector<MatterOverlap>& WorldsAtUnit::overlaps() const {
-  if (!overlaps_->made.load(std::memory_order_acquire)) {
-    std::call_once(overlaps_->once, [this] {
-      overlaps_->all = makeOverlaps();
-      overlaps_->made.store(true, std::memory_order_release);
-    });
-  }
+  std::call_once(overlaps_->made, [this] { overlaps_->all = makeOverlaps(); });
   return overlaps_->all;
 }
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "scenario_priors.h"
+#include "other_task.h"
 #include "sensing_replay.h"
 #include "smore/contact/contact_numbering.h"
 #include "smore/ros/evidence_log.h"

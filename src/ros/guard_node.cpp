@@ -127,7 +127,8 @@ class GuardNode {
     reactToFault();
     const auto joints = guard_.joints(now());
     if (!stream_.active() || !joints || !turns_.upToDate(now())) return;
-    // What else has come may wait behind this message still: whether that is late is said later.
+    // What else has come may wait behind this message still, and seem late: the next horizon makes
+    // up for one that is withheld.
     const auto horizon = stream_.advance(joints->time, braked_ ? 0.0 : speed_.scaling());
     if (horizon && guard_.lateness(turns_.heard()).empty()) guarded_.publish(toMessage(*horizon));
   }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario_priors.h"
 
-#include <algorithm>
-#include <vector>
-
 #include "smore/mapping/prior_maps.h"
-#include "smore/scenario/scenario_files.h"
 #include "smore/simulation/simulated_robot.h"
 
 namespace smore {
@@ -13,22 +9,6 @@ namespace smore {
 Priors priorsOf(const Scenario& scenario, std::uint64_t seed) {
   if (scenario.prior.empty()) return {};
   return makePriors(scenario.hasScene() ? perturbScenario(scenario, seed) : scenario);
-}
-
-void changeTask(const std::string& scenario, EvidenceSource* source) {
-  source->task = loadScenario(findScenario(scenario, shippedScenarioDirectory()));
-  source->priors = priorsOf(source->task, source->seed);
-}
-
-std::size_t leaveOutBesideThePlane(Evidence* evidence) {
-  const MotionSpace space = evidence->source.task.motionSpace();
-  std::vector<ContactObservation>& all = evidence->observations;
-  const auto kept = std::remove_if(all.begin(), all.end(), [&space](const auto& observation) {
-    return !space.whyBeside(observation.T_world_object).empty();
-  });
-  const auto left_out = static_cast<std::size_t>(all.end() - kept);
-  all.erase(kept, all.end());
-  return left_out;
 }
 
 }  // namespace smore

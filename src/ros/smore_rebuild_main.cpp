@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "bag_evidence.h"
-#include "scenario_priors.h"
+#include "other_task.h"
 #include "smore/common/output_directory.h"
 #include "smore/common/result.h"
 #include "smore/experiment/command_line.h"

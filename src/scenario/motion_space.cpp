@@ -56,10 +56,13 @@ std::string MotionSpace::whyOutside(const Pose& T_world_object) const {
   return describe(position) + " does not lie in the plane of motion";
 }
 
+bool MotionSpace::isBeside(const Pose& T_world_object) const {
+  return motion == Motion::kPlanar && !isNearPlane(T_world_plane.inverse() * T_world_object);
+}
+
 std::string MotionSpace::whyBeside(const Pose& T_world_object) const {
-  if (motion == Motion::kSpatial) return "";
+  if (!isBeside(T_world_object)) return "";
   const Pose T_plane_object = T_world_plane.inverse() * T_world_object;
-  if (isNearPlane(T_plane_object)) return "";
   const double tilt = std::acos(std::clamp(T_plane_object.linear()(2, 2), -1.0, 1.0));
   std::ostringstream text;
   text << std::abs(T_plane_object.translation().z()) << " m and " << tilt

@@ -63,6 +63,10 @@ class FreeSpaceEvidence {
   bool overlap(const Eigen::Isometry3f& T_map_object, int object_place, int world_place) const;
   void mark(int object_place, int world_place);
   void markContact(int first, int end);
+  /// The places on the object from `first` to before `end` at a pose, with all in the world.
+  void markOnObject(const Eigen::Isometry3f& T_map_object, int first, int end);
+  /// Behind the last place of a contact.
+  int endOf(int contact) const;
 
   FreeCells cells_;
   float distance_;  ///< of the centres of two balls at which they touch [m]

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -80,8 +79,7 @@ class WorldsAtUnit {
     float reach;
   };
   struct Overlaps {
-    std::once_flag once;
-    std::atomic<bool> made{false};  ///< they are asked for too often to ask the flag
+    std::once_flag made;
     std::vector<MatterOverlap> all;
   };
   /// Of touched matter and known one.

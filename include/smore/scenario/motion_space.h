@@ -36,8 +36,11 @@ struct MotionSpace {
   /// coordinates of a tilted plane.
   bool inWorkspace(const Pose& T_world_object) const;
 
-  /// How far the pose of an arm lies beside the plane of planar motion, in words for the user;
-  /// empty where it is near enough to count as in it (isNearPlane).
+  /// Whether the pose of an arm lies too far from the plane of planar motion to count as in it
+  /// (isNearPlane).
+  bool isBeside(const Pose& T_world_object) const;
+
+  /// How far it lies beside the plane, in words for the user; empty where it is not.
   std::string whyBeside(const Pose& T_world_object) const;
 
   /// Why it does not contain the pose, in words for the user; empty where it does, or does but for
