@@ -7,7 +7,8 @@
 Motions of all files are put together and sorted into ten bins of risk. A dot stands at a bin's mean risk
 and its share of motions that touched, with a 95 % interval (Wilson's); bars count the motions. The
 expected calibration error is the mean distance of the dots from the diagonal, weighted by the motions.
-It prints this, the log-loss, and what the base rate of the motions would have.
+It prints this, the log-loss (no outcome counts as less likely than a thousandth), and what the base rate of
+the motions would have.
 """
 import argparse
 import sys
@@ -22,6 +23,7 @@ from user_files import read_result, save_picture
 BINS = 10
 LEAST = 1e-3  # of what was forecast for the outcome
 QUANTILE = 1.96  # of the normal distribution, for 95 %
+WITHOUT_RISK = ("paper", "cspace")
 BLUE = "#3b6fb6"
 
 
@@ -34,7 +36,11 @@ def arguments():
 
 def read(files):
     """Risks, and whether each motion touched."""
-    trials = [trial for file in files for trial in read_result(file)["trials"]]
+    results = [read_result(file) for file in files]
+    for file, result in zip(files, results):
+        if result["method"] in WITHOUT_RISK:
+            raise ValueError(f"{file}: the method {result['method']} states no risk")
+    trials = [trial for result in results for trial in result["trials"]]
     motions = [motion for trial in trials for motion in trial["motions"]]
     if not motions:
         raise ValueError("there is no planned motion in the results")

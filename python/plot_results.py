@@ -5,10 +5,13 @@
     plot_results.py --output FILE.png RESULT.json [RESULT.json ...]
 
 Each trial is a dot, a box holds the middle half of a method's trials and a line marks their median; a
-cross is a trial that did not reach the goal: it is in no mean. Files of one method are put together. On
-the paper's own scene dashed lines are its counts.
+cross is a trial that did not reach the goal: it is in no mean. Files of one method, scene and set of
+parameters are put together; of several of one method each has the file's name. On the paper's own scene
+dashed lines are its counts.
 """
 import argparse
+import json
+import pathlib
 import sys
 
 import matplotlib
@@ -35,19 +38,33 @@ def arguments():
     return parser.parse_args()
 
 
-def rank(method):
-    return (ORDER.index(method) if method in ORDER else len(ORDER), method)
+def method_of(label):
+    return label.split()[0]
+
+
+def rank(label):
+    method = method_of(label)
+    return (ORDER.index(method) if method in ORDER else len(ORDER), label)
+
+
+def task_of(result):
+    """What results must have in common to be put together, besides their method."""
+    return json.dumps([result["scenario"], result.get("parameters")], sort_keys=True)
 
 
 def read(files):
-    """Trials by method, and the scenarios' names."""
-    trials, scenarios = {}, []
-    for file in files:
-        result = read_result(file)
-        trials.setdefault(result["method"], []).extend(result["trials"])
+    """Trials by method, with the file's name where the method alone does not tell; and the scenarios' names."""
+    results = [(pathlib.Path(file).stem, read_result(file)) for file in files]
+    tasks, trials, scenarios = {}, {}, []
+    for _, result in results:
+        tasks.setdefault(result["method"], set()).add(task_of(result))
+    for name, result in results:
+        method = result["method"]
+        label = method if len(tasks[method]) == 1 else f"{method} ({name})"
+        trials.setdefault(label, []).extend(result["trials"])
         if result["scenario"] not in scenarios:
             scenarios.append(result["scenario"])
-    return {method: trials[method] for method in sorted(trials, key=rank)}, scenarios
+    return {label: trials[label] for label in sorted(trials, key=rank)}, scenarios
 
 
 def mean_of(reached, count):
@@ -85,11 +102,11 @@ def draw(trials, title, scenarios):
             xytext=(-4, 3), textcoords="offset points", ha="right", fontsize=8, color=color,
         )
     labels = []
-    for place, (method, of_method) in enumerate(trials.items()):
-        draw_method(axes, place, of_method, COLORS.get(method, "#8e24aa"))
+    for place, (label, of_method) in enumerate(trials.items()):
+        draw_method(axes, place, of_method, COLORS.get(method_of(label), "#8e24aa"))
         reached = sum(trial["success"] for trial in of_method)
         crosses = "" if reached == len(of_method) else "\n(crosses: given up)"
-        labels.append(f"{method}\n{reached} of {len(of_method)} at the goal{crosses}")
+        labels.append(f"{label.replace(' ', chr(10), 1)}\n{reached} of {len(of_method)} at the goal{crosses}")
     axes.set_yscale("log")
     axes.set_ylim(0.7, 8000)
     axes.set_xlim(-0.6, len(trials) + 0.4)

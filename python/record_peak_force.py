@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Listens to /wrench until SIGINT, and writes the greatest force since the sensor was zeroed, as {"peak_force": N}.
+"""Listens to /wrench until SIGINT or SIGTERM, and writes the greatest force since the sensor was zeroed, as {"peak_force": N}.
 
     record_peak_force.py FILE
 

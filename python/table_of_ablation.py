@@ -11,29 +11,27 @@ import json
 import pathlib
 import sys
 
+from table_of_scores import number
+
 
 def cell(result):
     reached = sum(trial["success"] for trial in result["trials"])
     count = len(result["trials"])
-    text = f"{result['summary']['collisions']['mean']:.1f}"
+    text = number(result["summary"]["collisions"]["mean"], 1)  # nothing where all broke off
     return text if reached == count else f"{text} ({reached} of {count})"
-
-
-def read(directory, names):
-    results = [json.loads(pathlib.Path(directory, name).read_text()) for name in names]
-    return {result["scenario"]: cell(result) for result in results}
 
 
 def main():
     if "--" not in sys.argv[2:-1]:
         sys.exit("usage: table_of_ablation.py DIRECTORY [DIRECTORY ...] -- RESULT [RESULT ...]")
     end = sys.argv.index("--")
-    rows = {pathlib.Path(name).name: read(name, sys.argv[end + 1:]) for name in sys.argv[1:end]}
-    scenes = list(next(iter(rows.values())))
+    names = sys.argv[end + 1:]
+    scenes = [pathlib.Path(name).stem.partition("_")[2] for name in names]  # evaluate's METHOD_SCENE
     print("| without | " + " | ".join(scenes) + " |")
     print("|" + "---|" * (len(scenes) + 1))
-    for name, cells in rows.items():
-        print(f"| {name} | " + " | ".join(cells.get(scene, "") for scene in scenes) + " |")
+    for directory in map(pathlib.Path, sys.argv[1:end]):
+        cells = [cell(json.loads((directory / name).read_text())) for name in names]
+        print(f"| {directory.name} | " + " | ".join(cells) + " |")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Soft Actor-Critic as one more method: its trials run in a Python of their own (experiments/learning.py)."""
 import dataclasses
+import hashlib
 
 import matplotlib
 
@@ -9,9 +10,11 @@ import matplotlib.pyplot as plt
 
 from experiments import learning
 from experiments.trials import ROOT, Trial
+from program_fingerprint import fingerprint
 
 WHAT = "Soft Actor-Critic, published hyperparameters (figure7 only; first scripts/experiments --setup)"
 PROGRAM = ROOT / "python/smore_gym/train_sac.py"
+MODULES = ROOT / "build/devel/lib/smore"  # with the compiled environment
 MISSING = "`sac` is not here: it needs packages from PyPI, by `scripts/experiments --setup`.\n"
 
 
@@ -24,6 +27,13 @@ class SacTrial(Trial):
             str(learning.PYTHON), str(PROGRAM), "--scenario", self.scenario, "--seed", str(self.seed), *self.options,
             "--output", str(output),
         ]
+
+    def settings(self, directory, build):
+        """Of the environment, what learns in it and the packages as well."""
+        files = (*sorted(PROGRAM.parent.glob("*.py")), learning.PACKAGES)
+        learner = [hashlib.sha1(file.read_bytes()).hexdigest() for file in files]
+        learner += [fingerprint(module) for module in sorted(MODULES.glob("smore_simulator*.so"))]
+        return {**super().settings(directory, build), "learner": learner}
 
 
 def trials(scene, seeds, most_interactions):

@@ -5,6 +5,7 @@ import dataclasses
 import json
 import pathlib
 import re
+import socket
 import subprocess
 import sys
 import tempfile
@@ -94,7 +95,7 @@ class Store:
         self.build = fingerprint(PROGRAM)
         self.file = directory / "trials.jsonl"
         self.finished = {}
-        text = self.file.read_text() if self.file.exists() else ""
+        text = self.file.read_text(encoding="utf-8", errors="replace") if self.file.exists() else ""
         whole = text[: text.rfind("\n") + 1]
         for number, line in enumerate(whole.splitlines(), 1):
             try:
@@ -105,17 +106,19 @@ class Store:
         if whole != text:
             self.file.write_text(whole)
 
+    def settings(self, trial):
+        return trial.settings(self.directory, self.build)
+
     def knows(self, trial):
         """Whether this very trial is finished: another of its name, of other settings, is not, nor is one whose record
         is gone."""
         record = self.finished.get(trial.name)
-        if record is None or record.get("settings") != trial.settings(self.directory, self.build):
+        if record is None or record.get("settings") != self.settings(trial):
             return False
         return trial.evidence() is None or trial.evidence().exists()
 
-    def add(self, trial, result):
-        told = {"trial": dataclasses.asdict(trial), "settings": trial.settings(self.directory, self.build)}
-        line = json.dumps({**told, "result": result})
+    def add(self, trial, settings, result):
+        line = json.dumps({"trial": dataclasses.asdict(trial), "settings": settings, "result": result})
         with self.file.open("a") as stream:
             stream.write(line + "\n")
         self.finished[trial.name] = json.loads(line)
@@ -150,9 +153,17 @@ def why_not(done, output):
         return said[-1] if said else f"exit code {done.returncode}"
 
 
-def run_one(trial):
-    """The result of a trial. Its evidence is there when it is whole: of a machine that is lost another one repeats the
-    trial, while the first may still be writing."""
+def require_same(trial, directory, settings):
+    """TrialError where program or scene are not those that the trial was asked for with."""
+    if trial.settings(directory, fingerprint(PROGRAM)) != settings:
+        raise TrialError(f"{trial.name}: the program or the scene on {socket.gethostname()} is not the one that it was "
+                         "begun with; build it, and run this again")
+
+
+def run_one(trial, directory, settings):
+    """The result of a trial of these settings, before it and after. Its evidence is there when it is whole: of a
+    machine that is lost another one repeats the trial, while the first may still be writing."""
+    require_same(trial, directory, settings)
     evidence = trial.evidence()
     if evidence:
         evidence.parent.mkdir(parents=True, exist_ok=True)
@@ -164,7 +175,9 @@ def run_one(trial):
             raise TrialError(f"{trial.name}: {why_not(done, output)}")
         if evidence:
             (pathlib.Path(folder) / evidence.name).replace(evidence)
-        return json.loads(output.read_text())["trials"][0]
+        result = json.loads(output.read_text())["trials"][0]
+    require_same(trial, directory, settings)
+    return result
 
 
 def collect(asked, store, progress):
@@ -175,7 +188,7 @@ def collect(asked, store, progress):
             if future.exception():
                 problems.append(str(future.exception()))
             else:
-                store.add(asked[future], future.result())
+                store.add(*asked[future], future.result())
             progress.step()
     finally:
         for future in asked:
@@ -185,9 +198,9 @@ def collect(asked, store, progress):
 
 def keep_finished(asked, store):
     """Adds to the store what has been found and is not there yet."""
-    for future, trial in asked.items():
+    for future, (trial, settings) in asked.items():
         if future.done() and not future.cancelled() and not future.exception() and not store.knows(trial):
-            store.add(trial, future.result())
+            store.add(trial, settings, future.result())
 
 
 def run(trials, directory, jobs, scheduler=None):
@@ -199,7 +212,9 @@ def run(trials, directory, jobs, scheduler=None):
     asked = {}
     try:
         with workers.executor(jobs, scheduler) as executor:
-            asked = {executor.submit(run_one, trial): trial for trial in left}
+            for trial in left:
+                settings = store.settings(trial)
+                asked[executor.submit(run_one, trial, directory, settings)] = (trial, settings)
             problems = collect(asked, store, progress)
     finally:
         keep_finished(asked, store)  # interrupted, some may have ended unseen

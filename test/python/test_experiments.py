@@ -148,6 +148,21 @@ class ExperimentsTest(unittest.TestCase):
             run([Trial("t", "scene", 1)], self.folder, 1)
         self.assertEqual(self.seeds_called(), [1, 1])
 
+    def test_a_trial_during_which_the_program_changes_is_not_kept(self):
+        trials.PROGRAM.write_text(PROGRAM + "open(sys.argv[0], 'a').write('# another build')\n")
+        with self.assertRaisesRegex(TrialError, "t: the program or the scene on .* begun with"):
+            run([Trial("t", "scene", 1)], self.folder, 1)
+        self.assertEqual(Store(self.folder).finished, {})
+
+    def test_a_trial_whose_scene_changes_while_it_waits_is_not_run(self):
+        scene = self.folder / "scene.yaml"
+        scene.write_text("voxel_size: 0.03")
+        settings = Store(self.folder).settings(Trial("t", str(scene), 1))
+        scene.write_text("voxel_size: 0.05")
+        with self.assertRaisesRegex(TrialError, "begun with"):
+            trials.run_one(Trial("t", str(scene), 1), self.folder, settings)
+        self.assertFalse(self.calls.exists())
+
     def test_a_directory_that_was_moved_keeps_its_trials(self):
         def asked(directory):
             return [trials.recorded("t", "scene", 1, "smore", directory)]
@@ -163,8 +178,8 @@ class ExperimentsTest(unittest.TestCase):
         run(some, self.folder, 1)
         file = self.folder / "trials.jsonl"
         first, second = file.read_text().splitlines(True)
-        for damaged in ("\n", first[:20] + "\n", "[]\n", '{"trial": 1}\n'):
-            file.write_text(damaged + second)
+        for damaged in (b"\n", first[:20].encode() + b"\n", b"[]\n", b'{"trial": 1}\n', b"\xff\n"):
+            file.write_bytes(damaged + second.encode())
             self.assertEqual(list(Store(self.folder).finished), ["t2"])
         self.assertEqual(set(run(some, self.folder, 1)), {"t1", "t2"})
         self.assertEqual(self.seeds_called(), [1, 1, 2])

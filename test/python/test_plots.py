@@ -15,6 +15,9 @@ import unittest
 import matplotlib.image
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "python"))
+import plot_results  # noqa: E402
+
 SCENARIO = ROOT / "config/scenarios/s_shape_two_pegs.yaml"
 WRITER = sys.argv.pop()
 
@@ -92,6 +95,23 @@ class PlotsTest(unittest.TestCase):
         result = run("table_of_ablation.py", *folders, "--", "smore_scene.json")
         self.assertEqual(result.stdout.splitlines(), [
             "| without | scene |", "|---|---|", "| nothing | 8.0 |", "| extents | 40.0 (1 of 2) |"])
+
+    def test_an_ablation_whose_trials_all_broke_off_has_a_dash(self):
+        content = {"scenario": "scene", "trials": [{"success": False}], "summary": {"collisions": {"mean": None}}}
+        (self.folder / "smore_copy.json").write_text(json.dumps(content))
+        result = run("table_of_ablation.py", self.folder, "--", "smore_copy.json")
+        self.assertEqual(result.stdout.splitlines()[::2], ["| without | copy |", f"| {self.folder.name} | - (0 of 1) |"])
+
+    def test_results_of_other_parameters_are_not_put_together(self):
+        files = []
+        for name, parameters in (("plain", {}), ("again", {}), ("bold", {"belief": {"radius": 0.3}})):
+            files.append(self.folder / f"{name}.json")
+            trials = [{"success": True, "collisions": 3}]
+            files[-1].write_text(json.dumps(
+                {"scenario": "scene", "method": "smore", "parameters": parameters, "trials": trials}))
+        self.assertEqual(list(plot_results.read(files[:2])[0]), ["smore"])
+        self.assertEqual(list(plot_results.read(files)[0]), ["smore (again)", "smore (bold)", "smore (plain)"])
+        self.assertEqual(run("plot_results.py", *files, "--output", self.folder / "boxes.png").returncode, 0)
 
     def test_reliability_of_motions(self):
         # In each bin as many motions touch as their risk says, but for the last, where none does.
