@@ -263,13 +263,22 @@ class PriorMaker {
 }  // namespace
 
 Priors makePriors(const Scenario& scene) {
+  std::string problems;
+  const auto made = [&](MapSide side, const std::vector<PriorSource>& sources) {
+    std::vector<Prior> priors;
+    for (const PriorSource& source : sources) {
+      try {
+        priors.push_back(makePrior(scene, side, source));
+      } catch (const InputError& error) {
+        problems += (problems.empty() ? "" : "\n") + std::string(error.what());
+      }
+    }
+    return priors;
+  };
   Priors priors;
-  for (const PriorSource& entry : scene.prior.object) {
-    priors.object.push_back(makePrior(scene, MapSide::kObject, entry));
-  }
-  for (const PriorSource& entry : scene.prior.world) {
-    priors.world.push_back(makePrior(scene, MapSide::kWorld, entry));
-  }
+  priors.object = made(MapSide::kObject, scene.prior.object);
+  priors.world = made(MapSide::kWorld, scene.prior.world);
+  if (!problems.empty()) throw InputError(problems);
   return priors;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mesh_file.h"
+#include "mesh_pieces.h"
 #include "smore/common/result.h"
 #include "triangle_tree.h"
 
@@ -63,10 +64,6 @@ bool isClosed(const MeshShape& mesh) {
   std::sort(edges.begin(), edges.end());
   std::sort(opposites.begin(), opposites.end());
   return edges == opposites;
-}
-
-Vec3 areaVector(const TriangleCorners& corners) {
-  return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 
 /// Tells of each triangle whether its centroid is near the convex hull.
@@ -128,11 +125,19 @@ MeshShape loadMesh(const std::string& file, const Vec3& scale, double largest) {
   }
   const double volume = signedVolume(mesh);
   constexpr double kFlat = 1e-9;  // of the cube of the mesh's size: less is rounding
-  if (std::abs(volume) < kFlat * std::pow(extentOf(mesh).norm(), 3)) {
+  const double least = kFlat * std::pow(extentOf(mesh).norm(), 3);
+  if (std::abs(volume) < least) {
     throw InputError(file + ": the mesh encloses no volume; export a solid");
   }
   if (volume < 0.0) {
     for (Eigen::Vector3i& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  }
+  if (const auto vertex = pieceInsideOut(mesh, least)) {
+    std::ostringstream problem;
+    problem << file << ": the piece with a vertex at (" << vertex->x() << ", " << vertex->y()
+            << ", " << vertex->z() << ") m is turned inside out, and the others are not; make its "
+            << "normals point outwards as well";
+    throw InputError(problem.str());
   }
   return mesh;
 }

@@ -204,6 +204,23 @@ const std::string& robotName(RobotKind kind) {
 
 bool isArm(RobotKind kind) { return kind != RobotKind::kCartesian; }
 
+std::vector<std::string> filesOf(const Scenario& scenario) {
+  std::vector<std::string> files;
+  const auto add = [&files](const std::string& file) {
+    if (!file.empty()) files.push_back(file);
+  };
+  for (const auto* shapes : {&scenario.object, &scenario.environment}) {
+    for (const Shape& shape : *shapes) {
+      if (const auto* mesh = std::get_if<MeshShape>(&shape.geometry)) add(mesh->file);
+    }
+  }
+  for (const auto* sources : {&scenario.prior.object, &scenario.prior.world}) {
+    for (const PriorSource& source : *sources) add(source.file);
+  }
+  add(scenario.robot_urdf);
+  return files;
+}
+
 double reachOf(const std::vector<Shape>& object) {
   const Bounds bounds = boundsOf(object);
   return bounds.min.cwiseAbs().cwiseMax(bounds.max.cwiseAbs()).norm();

@@ -114,6 +114,10 @@ TriangleCorners cornersOf(const MeshShape& mesh, const Eigen::Vector3i& triangle
   return corners;
 }
 
+Vec3 areaVector(const TriangleCorners& corners) {
+  return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+}
+
 TriangleTree::TriangleTree(const MeshShape& mesh) {
   std::vector<Box> boxes;
   for (const Eigen::Vector3i& triangle : mesh.triangles) {

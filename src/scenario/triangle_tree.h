@@ -14,6 +14,9 @@ using TriangleCorners = std::array<Vec3, 3>;
 
 TriangleCorners cornersOf(const MeshShape& mesh, const Eigen::Vector3i& triangle);
 
+/// The normal of a triangle, as long as twice its area.
+Vec3 areaVector(const TriangleCorners& corners);
+
 /// The triangles of a mesh in a tree of boxes: what it is asked takes a time that grows with the
 /// logarithm of their number.
 class TriangleTree {

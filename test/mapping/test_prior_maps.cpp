@@ -184,6 +184,9 @@ TEST(PriorMaps, WhatSaysNothingIsRefusedWithItsRemedy) {
   const std::string text = directory.write("map.ot", "no tree");
   EXPECT_NE(problemOf(sceneWith({{}, {fromFile(PriorFormat::kOctree, text)}})).find("OctoMap"),
             std::string::npos);
+  const std::string all = problemOf(sceneWith({{far}, {fromFile(PriorFormat::kOctree, text)}}));
+  EXPECT_NE(all.find("says nothing"), std::string::npos) << all;
+  EXPECT_NE(all.find("OctoMap"), std::string::npos) << all;
 }
 
 }  // namespace

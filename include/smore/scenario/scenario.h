@@ -88,6 +88,10 @@ struct Scenario {
 /// Distance of the farthest point of the object from its origin, at most [m].
 double reachOf(const std::vector<Shape>& object);
 
+/// The files that a scenario read or will read: meshes, what is known beforehand, an arm's
+/// description.
+std::vector<std::string> filesOf(const Scenario& scenario);
+
 /// Where the object may touch anything, in the world [m]: the workspace, wider by the object's
 /// reach.
 Bounds regionOfContacts(const Scenario& scenario);
