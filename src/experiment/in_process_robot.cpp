@@ -51,6 +51,10 @@ InProcessRobot::InProcessRobot(SimulatedRobot* robot, const ContactSensingParame
     }
   }
   if (!waitUntilFree()) throw std::runtime_error("the sensor feels a force at the start pose");
+  if (const auto stopped = robot_->fault()) {
+    throw std::runtime_error(
+        stopped->reason + " at the start; change the scenario's start, robot_base or environment");
+  }
 }
 
 MotionResult InProcessRobot::follow(const Path& path) {

@@ -18,12 +18,19 @@ std::vector<int> movingLinks(const KinematicTree& tree, int tool) {
   return moving;
 }
 
+// Its name is that of the joint that moves, also where another one mimics that.
+void refuseMimic(const urdf::Joint& joint, const std::string& source) {
+  if (!joint.mimic) return;
+  throw InputError(source + ": joint " + joint.name + ": mimics " + joint.mimic->joint_name +
+                   "; the arm's six joints must move by themselves");
+}
+
 JointLimits limitsOf(const urdf::Joint& joint, const std::string& source) {
   if (joint.type != urdf::Joint::REVOLUTE || !joint.limits || joint.limits->velocity <= 0.0 ||
       joint.limits->upper <= joint.limits->lower) {
     throw InputError(source + ": joint " + joint.name +
-                     ": the arm needs revolute joints with limits of position and velocity; add "
-                     "<limit lower upper velocity effort>");
+                     ": the arm needs revolute joints (not continuous ones) with limits of "
+                     "position and velocity; give it <limit lower upper velocity effort>");
   }
   return {joint.limits->lower, joint.limits->upper, joint.limits->velocity, joint.limits->effort};
 }
@@ -41,6 +48,7 @@ ArmModel::ArmModel(const UrdfModel& urdf, const ArmFrames& frames)
   std::copy(moving.begin(), moving.end(), joint_links_.begin());
   for (size_t i = 0; i < kArmJoints; ++i) {
     const TreeLink& link = tree_.links()[static_cast<size_t>(joint_links_[i])];
+    refuseMimic(*urdf->getLink(link.name)->parent_joint, urdf.source);
     joint_names_[i] = tree_.jointNames()[static_cast<size_t>(link.variable)];
     limits_[i] = limitsOf(*urdf->getJoint(joint_names_[i]), urdf.source);
   }

@@ -21,6 +21,9 @@ constexpr double kAngularResolution = 0.02;  // [rad]
 // where the solution has jumped to another branch.
 constexpr double kLongestJointStep = 0.4;  // [rad]
 constexpr double kAtRest = 1e-9;           // [rad]; configurations this near are one
+constexpr double kEncoderNoise = 1e-3;     // [rad]; where a joint stands is known no better
+// From joint to joint, of the arm whose least singular value is asked in full [m].
+constexpr double kLengthOfUr5e = 1.038;
 
 std::string text(const Pose& pose) {
   const Vec3 p = pose.translation();
@@ -28,6 +31,28 @@ std::string text(const Pose& pose) {
   stream.precision(3);
   stream << "(" << p.x() << ", " << p.y() << ", " << p.z() << ") m";
   return stream.str();
+}
+
+// The cubic over a first step of less than half the next one begins backwards, as the speed after
+// it is that of both together; over such a last step it passes the end and comes back. So short a
+// step joins its neighbour: where the arm stands is always a little beside where a path begins.
+std::vector<JointVector> withoutShortEnds(std::vector<JointVector> path) {
+  const auto step = [&path](size_t i) { return (path[i + 1] - path[i]).norm(); };
+  if (path.size() > 2 && 2.0 * step(0) < step(1)) path.erase(path.begin() + 1);
+  if (path.size() > 2 && 2.0 * step(path.size() - 2) < step(path.size() - 3)) {
+    path.erase(path.end() - 2);
+  }
+  return path;
+}
+
+// The way from joint to joint and on to the tool [m].
+double lengthOf(const ArmModel& arm) {
+  const auto axes = arm.axes(JointVector::Zero());
+  double length = 0.0;
+  for (size_t i = 0; i + 1 < axes.size(); ++i) {
+    length += (axes[i + 1].point - axes[i].point).norm();
+  }
+  return length + (arm.toolPose(JointVector::Zero()).translation() - axes.back().point).norm();
 }
 
 }  // namespace
@@ -55,6 +80,8 @@ ArmMotionParameters armMotionParameters(const Scenario& scenario) {
 ArmMotion::ArmMotion(const UrdfModel& urdf, const ArmMotionParameters& parameters)
     : parameters_(parameters),
       arm_(urdf, parameters.frames),
+      least_singular_value_(parameters.least_singular_value *
+                            std::min(1.0, lengthOf(arm_) / kLengthOfUr5e)),
       inverse_kinematics_(&arm_),
       collision_(urdf, &arm_),
       T_tool_object_(arm_.T_tool_grasp() * parameters.T_grasp_object) {}
@@ -138,18 +165,26 @@ double ArmMotion::margin(const JointVector& q) const {
   return centered * inverse_kinematics_.singularity(q);
 }
 
-Result<bool> ArmMotion::checkConfiguration(const JointVector& q) const {
+Result<bool> ArmMotion::checkConfiguration(const JointVector& q, const JointVector* start) const {
   for (int i = 0; i < kArmJoints; ++i) {
     const auto joint = static_cast<size_t>(i);
     const JointLimits& limits = arm_.limits()[joint];
-    if (q[i] < limits.min + parameters_.limit_margin ||
-        q[i] > limits.max - parameters_.limit_margin) {
+    double least = limits.min + parameters_.limit_margin;
+    double most = limits.max - parameters_.limit_margin;
+    if (start != nullptr) {  // an arm that stands nearer to a limit may move away from it
+      least = std::max(limits.min, std::min(least, (*start)[i] - kEncoderNoise));
+      most = std::min(limits.max, std::max(most, (*start)[i] + kEncoderNoise));
+    }
+    if (q[i] < least || q[i] > most) {
       return Failure{arm_.jointNames()[joint] + " would pass its limit (" + std::to_string(q[i]) +
-                     " rad)"};
+                     " rad; " + std::to_string(limits.min) + " to " + std::to_string(limits.max) +
+                     ", from which " + std::to_string(parameters_.limit_margin) + " are kept)"};
     }
   }
-  if (inverse_kinematics_.singularity(q) < parameters_.least_singular_value) {
-    return Failure{"the arm is near a singularity there"};
+  if (const double least = inverse_kinematics_.singularity(q); least < least_singular_value_) {
+    return Failure{"the arm is near a singularity there (its Jacobian's least singular value is " +
+                   std::to_string(least) + ", below " + std::to_string(least_singular_value_) +
+                   ")"};
   }
   if (const auto links = collision_.collidingLinks(q)) {
     return Failure{"the links " + links->first + " and " + links->second + " would collide"};
@@ -157,7 +192,8 @@ Result<bool> ArmMotion::checkConfiguration(const JointVector& q) const {
   return true;
 }
 
-Result<JointVector> ArmMotion::next(const JointVector& now, const Pose& T_world_object) const {
+Result<JointVector> ArmMotion::next(const JointVector& now, const Pose& T_world_object,
+                                    const JointVector& start) const {
   const Pose target = T_base_tool(T_world_object);
   const auto q = inverse_kinematics_.solveNear(target, now);
   if (!q && inverse_kinematics_.branches(target).empty()) {
@@ -166,7 +202,7 @@ Result<JointVector> ArmMotion::next(const JointVector& now, const Pose& T_world_
   if (!q || (*q - now).cwiseAbs().maxCoeff() > kLongestJointStep) {
     return Failure{"the arm would have to pass a singularity to get there"};
   }
-  const Result<bool> valid = checkConfiguration(*q);
+  const Result<bool> valid = checkConfiguration(*q, &start);
   if (!valid) return Failure{valid.reason()};
   return *q;
 }
@@ -177,7 +213,7 @@ Result<std::vector<JointVector>> ArmMotion::resolve(const JointVector& now,
   Pose from = objectPose(now);
   for (size_t i = 0; i < path.size(); ++i) {
     for (const Pose& pose : densify({from, path[i]}, kResolution, kAngularResolution)) {
-      const auto q = next(configurations.back(), pose);
+      const auto q = next(configurations.back(), pose, now);
       if (!q) {
         return Failure{"pose " + std::to_string(i + 1) + " of " + std::to_string(path.size()) +
                        ", the object at " + text(pose) + ": " + q.reason()};
@@ -202,7 +238,7 @@ Result<JointTrajectory> ArmMotion::trajectory(const JointVector& now, const Path
 }
 
 JointTrajectory ArmMotion::timed(const std::vector<JointVector>& resolved) const {
-  std::vector<JointVector> configurations = resolved;
+  std::vector<JointVector> configurations = withoutShortEnds(resolved);
   // A motion has a middle, where it is fastest.
   if (configurations.size() == 2) {
     const JointVector middle = 0.5 * (configurations[0] + configurations[1]);

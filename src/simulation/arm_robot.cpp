@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "arm_robot.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "smore/common/finite_path.h"
 #include "smore/common/result.h"
@@ -21,6 +23,19 @@ JointVector configurationAt(const ArmMotion& motion, const Pose& T_world_object)
   return *q;
 }
 
+// A joint that moves beside the arm's chain is a part of the multi-body too, and nobody's target.
+void requireOnlyArmJoints(const UrdfModel& urdf, const std::vector<std::string>& moving,
+                          const ArmModel& model) {
+  const auto& own = model.jointNames();
+  for (const std::string& name : moving) {
+    if (std::find(own.begin(), own.end(), name) != own.end()) continue;
+    throw InputError(urdf.source + ": joint " + name + " moves, but does not lie between " +
+                     model.frames().base + " and " + model.frames().tool +
+                     ": hang the gripper on " + model.frames().tool +
+                     ", and make any other joint fixed");
+  }
+}
+
 }  // namespace
 
 ArmRobot::ArmRobot(const Scenario& scenario, const UrdfModel& urdf, std::uint64_t seed,
@@ -32,6 +47,7 @@ ArmRobot::ArmRobot(const Scenario& scenario, const UrdfModel& urdf, std::uint64_
       joints_(arm_.arm().jointNames(), std::vector<double>(kArmJoints, 0.0)),
       sensor_(scenario.wrench_noise, kSubstepsPerSample * kStep, seed,
               wristSensorRange(scenario.robot), sensor_cutoff) {
+  requireOnlyArmJoints(urdf, arm_.arm().jointNames(), motion_.model());
   (void)configurationAt(motion_, scenario.goal);
   place(scenario.start);
 }
@@ -79,7 +95,8 @@ std::optional<Failure> ArmRobot::checkLimits(const JointTrajectory& trajectory) 
       for (const JointTrajectoryPoint& point : trajectory.points) {
         if (point.positions[i] >= limits.min && point.positions[i] <= limits.max) continue;
         return Failure{model.jointNames()[joint] + " would pass its limit (" +
-                       std::to_string(point.positions[i]) + " rad)"};
+                       std::to_string(point.positions[i]) + " rad; " + std::to_string(limits.min) +
+                       " to " + std::to_string(limits.max) + ")"};
       }
     }
   }
@@ -96,7 +113,7 @@ void ArmRobot::place(const Pose& T_world_object) {
   load_.place(arm_.arm().lastPose());
   showLoad();
   fault_.reset();
-  link_touches_ = false;
+  link_contacts_.clear();
 }
 
 WrenchSample ArmRobot::advance() {
@@ -133,11 +150,12 @@ void ArmRobot::showLoad() {
 
 // A new contact of a link ends the motion; one that lasts does not hinder the motion away from it.
 void ArmRobot::watch() {
-  const auto contact = arm_.linkContact();
-  if (contact && !link_touches_) {
-    stopWith("the link " + contact->link + " touches " + contact->other);
+  std::set<LinkContact> contacts = arm_.linkContacts();
+  for (const LinkContact& contact : contacts) {
+    if (link_contacts_.count(contact) != 0) continue;
+    stopWith("the link " + contact.link + " touches " + contact.other);
   }
-  link_touches_ = contact.has_value();
+  link_contacts_ = std::move(contacts);
   const std::vector<double> positions = jointPositions();
   for (size_t i = 0; i < positions.size(); ++i) {
     if (std::abs(positions[i] - joints_.positions()[i]) > kGreatestTrackingError) {

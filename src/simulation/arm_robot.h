@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <set>
+
 #include "arm_world.h"
 #include "gripper_load.h"
 #include "smore/kinematics/arm_motion.h"
@@ -55,7 +57,7 @@ class ArmRobot : public SimulatedRobot {
   WrenchSensor sensor_;
   WristReading reading_;
   std::optional<Failure> fault_;
-  bool link_touches_ = false;  ///< in the last step
+  std::set<LinkContact> link_contacts_;  ///< in the last step
   std::int64_t substeps_ = 0;
 };
 

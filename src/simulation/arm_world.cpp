@@ -35,7 +35,10 @@ ArmWorld::ArmWorld(const Scenario& scenario, const UrdfModel& urdf, const ArmFra
   arm_.addTo(&world_, kLinkGroup, btBroadphaseProxy::AllFilter);
   carried_.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT |
                              btCollisionObject::CF_NO_CONTACT_RESPONSE);
-  carried_.setIgnoreCollisionCheck(arm_.lastCollider(), true);
+  // As links do that one joint joins, the gripper and the link before the last may overlap.
+  for (btMultiBodyLinkCollider* collider : arm_.lastColliders()) {
+    carried_.setIgnoreCollisionCheck(collider, true);
+  }
   carried_.setActivationState(DISABLE_DEACTIVATION);
   setCarried(carried);
 }
@@ -66,7 +69,8 @@ void ArmWorld::step(const Wrench& tool_wrench_world) {
   world_.stepSimulation(step_, 0);
 }
 
-std::optional<LinkContact> ArmWorld::linkContact() const {
+std::set<LinkContact> ArmWorld::linkContacts() const {
+  std::set<LinkContact> contacts;
   auto& dispatcher = const_cast<btCollisionDispatcher&>(dispatcher_);
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
     const btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
@@ -75,11 +79,11 @@ std::optional<LinkContact> ArmWorld::linkContact() const {
       if (point.getDistance() > 0.0 && point.m_appliedImpulse <= 0.0) continue;
       const std::string first = nameOf(manifold->getBody0(), point.m_index0);
       const std::string second = nameOf(manifold->getBody1(), point.m_index1);
-      if (isLink(manifold->getBody0())) return LinkContact{first, second};
-      return LinkContact{second, first};
+      const bool first_is_link = isLink(manifold->getBody0());
+      contacts.insert(first_is_link ? LinkContact{first, second} : LinkContact{second, first});
     }
   }
-  return std::nullopt;
+  return contacts;
 }
 
 bool ArmWorld::isLink(const btCollisionObject* body) const {

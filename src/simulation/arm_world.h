@@ -4,8 +4,9 @@
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 
 #include <memory>
-#include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "bullet_shapes.h"
@@ -21,6 +22,10 @@ namespace smore {
 struct LinkContact {
   std::string link;
   std::string other;
+
+  bool operator<(const LinkContact& b) const {
+    return std::tie(link, other) < std::tie(b.link, b.other);
+  }
 };
 
 /// The arm up to its wrist sensor among the environment: a multi-body with motors under gravity.
@@ -46,8 +51,8 @@ class ArmWorld {
   /// Advances one step under a wrench on the tool at its origin, in the world's axes.
   void step(const Wrench& tool_wrench_world);
 
-  /// A contact of an arm's link in the last step, if there is any.
-  std::optional<LinkContact> linkContact() const;
+  /// The contacts of the arm's links in the last step.
+  std::set<LinkContact> linkContacts() const;
 
  private:
   std::string nameOf(const btCollisionObject* body, int shape) const;

@@ -3,7 +3,6 @@
 
 #include <iomanip>
 #include <random>
-#include <set>
 #include <sstream>
 
 #include "smore/kinematics/arm_model.h"
@@ -27,9 +26,15 @@ void writeOrigin(const urdf::Pose& origin, std::ostream* text) {
 }
 
 void writeJoint(const urdf::Joint& joint, std::ostream* text) {
-  *text << R"(<joint name=")" << joint.name << R"(" type="revolute"><parent link=")"
-        << joint.parent_link_name << R"("/><child link=")" << joint.child_link_name << R"("/>)";
+  const bool moves = joint.type != urdf::Joint::FIXED;
+  *text << R"(<joint name=")" << joint.name << R"(" type=")" << (moves ? "revolute" : "fixed")
+        << R"("><parent link=")" << joint.parent_link_name << R"("/><child link=")"
+        << joint.child_link_name << R"("/>)";
   writeOrigin(joint.parent_to_joint_origin_transform, text);
+  if (!moves) {
+    *text << "</joint>\n";
+    return;
+  }
   *text << R"(<axis xyz=")" << joint.axis.x << ' ' << joint.axis.y << ' ' << joint.axis.z
         << R"("/><limit lower=")" << joint.limits->lower << R"(" upper=")" << joint.limits->upper
         << R"(" velocity=")" << joint.limits->velocity << R"(" effort=")" << joint.limits->effort
@@ -96,14 +101,15 @@ std::string jointsDescription(const UrdfModel& arm) {
   std::ostringstream text;
   text << std::setprecision(17) << R"(<?xml version="1.0"?><robot name="calibrated_arm">)"
        << "\n";
-  std::set<std::string> links;
   const ArmModel model(arm);
-  for (const std::string& name : model.jointNames()) {
-    const urdf::Joint& joint = *arm->getJoint(name);
-    links.insert({joint.parent_link_name, joint.child_link_name});
-    writeJoint(joint, &text);
+  const std::string root = arm->getJoint(model.jointNames().front())->parent_link_name;
+  urdf::LinkConstSharedPtr link =
+      arm->getLink(arm->getJoint(model.jointNames().back())->child_link_name);
+  for (; link->name != root; link = link->getParent()) {
+    writeJoint(*link->parent_joint, &text);  // with the fixed ones between two that move
+    writeLink(*link, &text);
   }
-  for (const std::string& link : links) writeLink(*arm->getLink(link), &text);
+  writeLink(*link, &text);
   text << "</robot>\n";
   return text.str();
 }

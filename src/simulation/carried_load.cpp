@@ -54,6 +54,12 @@ urdf::JointConstSharedPtr describedFinger(const UrdfModel& urdf, const Kinematic
                      (joint == nullptr ? " is mimicked, but not there; add it"
                                        : " has no limits; give it upper and velocity"));
   }
+  if (!(joint->limits->velocity > 0.0) || !(joint->limits->upper > 0.0)) {
+    throw InputError(urdf.source + ": the gripper's joint " + name + ": an upper limit of " +
+                     std::to_string(joint->limits->upper) + " and a velocity of " +
+                     std::to_string(joint->limits->velocity) +
+                     "; both must be above 0, where it is open");
+  }
   return joint;
 }
 
@@ -64,7 +70,9 @@ Result<double> graspAngle(const Scenario& scenario, const UrdfModel& urdf, const
   if (finger == nullptr) return 0.0;
   const double closed = finger->limits->upper;
   if (fingersTouch(scenario, urdf, gripper, T_tool_object, 0.0)) {
-    return Failure{"the open gripper touches the object: it is too wide for the gripper"};
+    return Failure{
+        "the open gripper touches the object: it is too wide for the gripper, or the finger's "
+        "joint is not open at 0"};
   }
   double open = 0.0;
   double touching = closed;

@@ -6,8 +6,9 @@
 namespace smore {
 namespace {
 
-// The pads' rubber follows the object for so long [rad]: about a millimetre.
-constexpr double kRelease = 0.02;
+// The pads' rubber follows the object for about a millimetre.
+constexpr double kRelease = 0.02;                 // of a turning finger [rad]
+constexpr double kReleaseOfSlidingFinger = 1e-3;  // [m]
 
 }  // namespace
 
@@ -24,6 +25,7 @@ GripperLoad::GripperLoad(const Scenario& scenario, const UrdfModel& urdf, const 
     finger_joint_ = finger->name;
     finger_speed_ = finger->limits->velocity;
     finger_limit_ = finger->limits->upper;
+    release_ = finger->type == urdf::Joint::PRISMATIC ? kReleaseOfSlidingFinger : kRelease;
   }
   place(T_world_tool);
 }
@@ -85,7 +87,7 @@ void GripperLoad::advance(const Pose& T_world_tool_before, const Pose& T_world_t
   if (!fingersMove()) return;
   const double way = finger_speed_ * step_;
   finger_ += std::clamp(target_ - finger_, -way, way);
-  if (holdsObject() && finger_ < grasp_ - kRelease) letGo(T_world_tool_after);
+  if (holdsObject() && finger_ < grasp_ - release_) letGo(T_world_tool_after);
   if (fingersMove()) return;
   if (will_hold_) {
     hold(T_world_tool_after.inverse() * objectPose(T_world_tool_after), T_world_tool_after);

@@ -69,6 +69,7 @@ class GripperLoad {
   std::string finger_joint_;
   double finger_speed_ = 0.0;  ///< [rad/s]
   double finger_limit_ = 0.0;  ///< closed [rad]
+  double release_ = 0.0;       ///< opened by so much the fingers let go [rad, of sliding ones m]
   double grasp_ = 0.0;         ///< finger position on the held object [rad]
   double finger_ = 0.0;
   double target_ = 0.0;

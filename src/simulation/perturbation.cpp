@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <optional>
 #include <random>
 
+#include "carried_load.h"
 #include "smore/common/result.h"
+#include "smore/kinematics/arm_model.h"
 #include "smore/simulation/scene_check.h"
 #include "smore/simulation/simulated_robot.h"
 
@@ -44,20 +47,41 @@ Scenario drawPerturbed(const Scenario& scenario, Random* random) {
   return perturbed;
 }
 
+/// Whether a gripper can close on the object: a turn about its origin may carry the handle off.
+class Grasp {
+ public:
+  explicit Grasp(const Scenario& scenario) {
+    if (!isArm(scenario.robot) || scenario.perturb.angle == 0.0) return;
+    urdf_ = armUrdf(scenario);
+    T_tool_object_ = ArmModel(*urdf_).T_tool_grasp() * scenario.T_gripper_object;
+    if (!holds(scenario)) urdf_.reset();  // not by a turn; the robot says why
+  }
+
+  bool holds(const Scenario& perturbed) const {
+    return !urdf_ || graspAngle(perturbed, *urdf_, {}, T_tool_object_);
+  }
+
+ private:
+  std::optional<UrdfModel> urdf_;
+  Pose T_tool_object_ = Pose::Identity();
+};
+
 }  // namespace
 
 Scenario perturbScenario(const Scenario& scenario, std::uint64_t seed) {
   Random random(seed);
+  const Grasp grasp(scenario);
   for (int draw = 0; draw < kMaxDraws; ++draw) {
     Scenario perturbed = drawPerturbed(scenario, &random);
     SceneCheck check(perturbed);
-    if (!check.touches(perturbed.start) && !check.touches(perturbed.goal)) return perturbed;
+    if (check.touches(perturbed.start) || check.touches(perturbed.goal)) continue;
+    if (grasp.holds(perturbed)) return perturbed;
   }
   checkStartAndGoalFree(scenario);  // says which, where no perturbation is at fault
-  throw InputError("scenario " + scenario.name +
-                   ": perturb: start or goal touched the environment " + "in each of " +
-                   std::to_string(kMaxDraws) +
-                   " draws; lower perturb.position and perturb.angle or widen the clearance");
+  throw InputError("scenario " + scenario.name + ": perturb: in each of " +
+                   std::to_string(kMaxDraws) + " draws start or goal touched the environment" +
+                   (isArm(scenario.robot) ? ", or the gripper could not hold the object" : "") +
+                   "; lower perturb.position and perturb.angle or widen the clearance");
 }
 
 }  // namespace smore

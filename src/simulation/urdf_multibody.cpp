@@ -140,12 +140,23 @@ void UrdfMultibody::addCollider(int index) {
   }
 }
 
+std::vector<btMultiBodyLinkCollider*> UrdfMultibody::lastColliders() {
+  const Part& last = parts_.back();
+  return {last.collider.get(), parts_[static_cast<size_t>(last.parent)].collider.get()};
+}
+
 void UrdfMultibody::addMotor(const urdf::Joint& joint, int index, double step) {
   if (!joint.limits) {
     throw InputError(source_ + ": joint " + joint.name +
                      ": needs limits; add <limit lower upper velocity effort>");
   }
   const urdf::JointLimits& limits = *joint.limits;
+  if (!(limits.effort > 0.0)) {
+    throw InputError(source_ + ": joint " + joint.name + ": an effort of " +
+                     std::to_string(limits.effort) +
+                     " in its limits: a simulated joint would not hold itself; give its largest "
+                     "torque or force");
+  }
   motors_.push_back(
       std::make_unique<btMultiBodyJointMotor>(body_.get(), index, 0.0, limits.effort * step));
   motors_.back()->setErp(1.0);

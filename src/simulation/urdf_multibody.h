@@ -58,7 +58,8 @@ class UrdfMultibody {
   /// The body's collider that holds a link, and the name of the link that a shape belongs to.
   const std::string& linkName(const btCollisionObject* collider, int shape) const;
 
-  btMultiBodyLinkCollider* lastCollider() { return parts_.back().collider.get(); }
+  /// Of the part that `last` belongs to, and of the one that carries it.
+  std::vector<btMultiBodyLinkCollider*> lastColliders();
   const btCollisionObject* baseCollider() const { return parts_.front().collider.get(); }
 
  private:

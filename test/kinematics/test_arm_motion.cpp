@@ -80,6 +80,57 @@ TEST(ArmMotion, followsThePathWithinAllLimits) {
   }
 }
 
+// How far along its straight way the object comes before it comes back [m].
+double stepsBack(const ArmMotion& motion, const JointTrajectory& trajectory, const Pose& goal) {
+  const auto& points = trajectory.points;
+  const Vec3 start = motion.objectPose(toJointVector(points.front().positions)).translation();
+  const Vec3 along = (goal.translation() - start).normalized();
+  double farthest = 0.0;
+  double back = 0.0;
+  for (size_t i = 0; i + 1 < points.size(); ++i) {
+    for (double s = 0.0; s <= 1.0; s += 0.02) {
+      const double time = points[i].time + s * (points[i + 1].time - points[i].time);
+      const JointVector q = cubic(points[i], points[i + 1], time).position;
+      const double way = along.dot(motion.objectPose(q).translation() - start);
+      farthest = std::max(farthest, way);
+      back = std::max(back, farthest - way);
+    }
+  }
+  return back;
+}
+
+// Where an arm stands is a little beside the first pose of a plan, or of its way back.
+TEST(ArmMotion, neitherBeginsBackwardsNorPassesTheEndOverAShortStep) {
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), tableTop());
+  const auto start = motion.configurationFor(overTable(0.45, 0.1));
+  ASSERT_TRUE(start);
+  const Pose goal = overTable(0.45, 0.15);
+  for (const double step : {1e-6, 1e-5, 1e-4, 1e-3, 2e-3, 2.4e-3, 4e-3}) {
+    const Path path = {overTable(0.45, 0.1 + step), overTable(0.45, 0.15 - step), goal};
+    const auto trajectory = motion.trajectory(*start, path);
+    ASSERT_TRUE(trajectory) << trajectory.reason();
+    EXPECT_LT(stepsBack(motion, *trajectory, goal), 2e-5) << step;
+  }
+}
+
+TEST(ArmMotion, aJointThatStandsNearItsLimitMayMoveAwayFromIt) {
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), tableTop());
+  auto q = motion.configurationFor(overTable(0.45, 0.1));
+  ASSERT_TRUE(q);
+  const double turn = motion.model().limits()[5].max - 0.02 - (*q)[5];
+  (*q)[5] += turn;
+  const Pose here = motion.objectPose(*q);
+  const auto turned = [&here](double angle) {
+    return here * Eigen::AngleAxisd(angle, Vec3::UnitZ());
+  };
+  // The wrist turns as the object does or against it.
+  const bool away = bool(motion.trajectory(*q, {here, Pose(turned(0.3))}));
+  const auto nearer = motion.trajectory(*q, {here, Pose(turned(away ? -0.01 : 0.01))});
+  EXPECT_TRUE(motion.trajectory(*q, {here, Pose(turned(away ? 0.3 : -0.3))}));
+  ASSERT_FALSE(nearer);
+  EXPECT_NE(nearer.reason().find("wrist_3_joint would pass its limit"), std::string::npos);
+}
+
 // No jump: along a path that crosses the workspace each configuration is near the one before.
 TEST(ArmMotion, staysOnItsBranch) {
   const ArmMotion motion(armUrdf(RobotKind::kUr5e), tableTop());

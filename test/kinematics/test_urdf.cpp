@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <optional>
 #include <random>
+#include <sstream>
 
 #include "../common/refusal.h"
 #include "smore/common/result.h"
@@ -200,6 +202,25 @@ TEST(Urdf, whatIsBadInADescriptionIsToldWithItsFile) {
   ArmFrames frames;
   frames.tool = "hand";
   begins(refusalOf([&] { return ArmModel(bad("", "fixed"), frames); }), "there are 0 moving");
+}
+
+// Also one that mimics what is not there.
+TEST(Urdf, aJointOfTheArmThatMimicsAnotherIsRefused) {
+  std::ifstream stream(SMORE_SOURCE_DIR "/urdf/ur5e_2f85.urdf");
+  std::stringstream text;
+  text << stream.rdbuf();
+  const std::string own = "<joint name=\"wrist_3_joint\" type=\"revolute\">";
+  for (const std::string other : {"wrist_2_joint", "typo"}) {
+    std::string changed = text.str();
+    const size_t at = changed.find(own);
+    ASSERT_NE(at, std::string::npos);
+    changed.insert(at + own.size(), "<mimic joint=\"" + other + "\"/>");
+    const UrdfModel urdf = parseUrdf(changed, "my_arm.urdf");
+    const std::string problem = refusalOf([&] { return ArmModel(urdf); });
+    const bool told = problem.find("wrist_3_joint: mimics " + other) != std::string::npos ||
+                      problem.find("there are 5 moving joints") != std::string::npos;
+    EXPECT_TRUE(told) << problem;
+  }
 }
 
 TEST(Urdf, badDescriptionsAreRefusedWithTheirReason) {

@@ -7,9 +7,10 @@
 #include <regex>
 #include <sstream>
 
+#include "../common/refusal.h"
 #include "arm_scenes.h"
 #include "smore/common/result.h"
-#include "smore/kinematics/arm_model.h"
+#include "smore/kinematics/arm_motion.h"
 
 namespace smore {
 namespace {
@@ -194,24 +195,68 @@ TEST(ArmRobot, needsAnObjectThatTheGripperCanHold) {
   EXPECT_THROW(makeSimulatedRobot(scenario, 1), InputError);
 }
 
-// Once a null pointer: what a finger's joint lacks is told.
-TEST(ArmRobot, TellsWhatTheDescriptionOfItsFingersLacks) {
+// Why the arm is refused where one place of its description reads otherwise.
+std::string problemOfChangedArm(const std::string& pattern, const std::string& replacement) {
   std::ifstream built_in(SMORE_SOURCE_DIR "/urdf/ur5e_2f85.urdf");
   std::stringstream text;
   text << built_in.rdbuf();
   Scenario scenario = ballInHand(makePose(Vec3(0.45, 0.1, 0.2)));
   scenario.robot = RobotKind::kUrdf;
-  scenario.robot_urdf = testing::TempDir() + "endless_fingers.urdf";
+  scenario.robot_urdf = testing::TempDir() + "changed_arm.urdf";
   std::ofstream(scenario.robot_urdf) << std::regex_replace(
-      text.str(), std::regex("(name=\"finger_joint\" type=\")revolute([^]*?)<limit[^>]*/>"),
-      "$1continuous$2", std::regex_constants::format_first_only);
-  try {
-    makeSimulatedRobot(scenario, 1);
-    FAIL() << "made";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("finger_joint has no limits"), std::string::npos)
-        << error.what();
+      text.str(), std::regex(pattern), replacement, std::regex_constants::format_first_only);
+  return refusalOf([&] { return makeSimulatedRobot(scenario, 1); });
+}
+
+// Once a null pointer: what a finger's joint lacks is told.
+TEST(ArmRobot, TellsWhatTheDescriptionOfItsFingersLacks) {
+  const std::string problem = problemOfChangedArm(
+      "(name=\"finger_joint\" type=\")revolute([^]*?)<limit[^>]*/>", "$1continuous$2");
+  EXPECT_NE(problem.find("finger_joint has no limits"), std::string::npos) << problem;
+}
+
+TEST(ArmRobot, TellsOfAJointBesideTheArm) {
+  const std::string problem = problemOfChangedArm(
+      "</robot>",
+      "<link name=\"camera\"><inertial><mass value=\"0.1\"/><inertia ixx=\"1e-4\" iyy=\"1e-4\" "
+      "izz=\"1e-4\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link><joint name=\"pan_joint\" "
+      "type=\"revolute\"><parent link=\"shoulder_link\"/><child link=\"camera\"/><axis xyz=\"0 0 "
+      "1\"/>"
+      "<limit lower=\"-1\" upper=\"1\" velocity=\"1\" effort=\"1\"/></joint></robot>");
+  EXPECT_NE(problem.find("pan_joint moves, but does not lie between"), std::string::npos)
+      << problem;
+}
+
+TEST(ArmRobot, TellsOfFingersThatCannotMove) {
+  const std::string problem =
+      problemOfChangedArm("(name=\"finger_joint\"[^]*?velocity=)\"[^\"]*\"", "$1\"0\"");
+  EXPECT_NE(problem.find("finger_joint: an upper limit of 0.8"), std::string::npos) << problem;
+}
+
+TEST(ArmRobot, TellsOfALinkThatTouchesAtTheStart) {
+  Scenario scenario = ballInHand(makePose(Vec3(0.45, 0.1, 0.2)));
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), armMotionParameters(scenario));
+  const auto q = motion.configurationFor(scenario.start);
+  ASSERT_TRUE(q);
+  const auto& links = motion.model().tree().links();
+  const std::vector<Pose> poses = motion.model().linkPoses(*q);
+  for (size_t i = 0; i < links.size(); ++i) {
+    if (links[i].name != "forearm_link") continue;
+    scenario.environment = {{SphereShape{0.03}, poses[i] * makePose(Vec3(-0.2, 0, 0))}};
   }
+  ASSERT_EQ(scenario.environment.size(), 1U);
+  const auto robot = makeSimulatedRobot(scenario, 1);
+  robot->advance();
+  ASSERT_TRUE(robot->fault());
+  EXPECT_NE(robot->fault()->reason.find("forearm_link touches the environment"), std::string::npos)
+      << robot->fault()->reason;
+}
+
+// A joint without torque would let the arm fall.
+TEST(ArmRobot, TellsOfAJointWithoutTorque) {
+  const std::string problem =
+      problemOfChangedArm("(name=\"elbow_joint\"[^]*?effort=)\"[^\"]*\"", "$1\"0\"");
+  EXPECT_NE(problem.find("elbow_joint: an effort of 0"), std::string::npos) << problem;
 }
 
 }  // namespace

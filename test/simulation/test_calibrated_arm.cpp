@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <regex>
+#include <sstream>
+
 #include "smore/kinematics/arm_model.h"
 #include "smore/kinematics/described_arm.h"
 #include "smore/simulation/calibrated_arm.h"
@@ -38,6 +42,23 @@ TEST(CalibratedArm, isOffTheNominalOneByMillimetresAndByTheSeed) {
             0.0);
   EXPECT_EQ(gapBetween(toolOf(calibratedArm(scenarioWith(RobotKind::kUr5e), 0.0, 7)), nominal),
             0.0);
+}
+
+// A cover that is fixed between two joints.
+TEST(CalibratedArm, isDescribedWithWhatIsFixedBetweenItsJoints) {
+  std::ifstream stream(SMORE_SOURCE_DIR "/urdf/ur5e_2f85.urdf");
+  std::stringstream text;
+  text << stream.rdbuf();
+  const std::string covered = std::regex_replace(
+      text.str(), std::regex("(<joint name=\"wrist_1_joint\"[^]*?)<parent link=\"forearm_link\"/>"),
+      "<link name=\"cover\"/><joint name=\"cover_joint\" type=\"fixed\"><parent "
+      "link=\"forearm_link\"/><child link=\"cover\"/><origin xyz=\"0 0 0.01\"/></joint>\n"
+      "$1<parent link=\"cover\"/>",
+      std::regex_constants::format_first_only);
+  const UrdfModel arm = parseUrdf(covered, "covered");
+  const UrdfModel read = parseUrdf(jointsDescription(arm), "jointsDescription");
+  EXPECT_EQ(read->getLink("cover")->getParent()->name, "forearm_link");
+  EXPECT_EQ(read->getRoot()->name, arm->getJoint("shoulder_pan_joint")->parent_link_name);
 }
 
 TEST(CalibratedArm, isDescribedExactly) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "arm_scenes.h"
 #include "contact_trials.h"
 #include "smore/common/result.h"
 
@@ -102,6 +103,25 @@ TEST(Perturbation, givesUpWithAReason) {
   tight.start = tight.goal = Pose::Identity();
   tight.perturb = {0.09, 0.0};
   EXPECT_NE(problemOf(tight).find("lower perturb.position"), std::string::npos);
+}
+
+// Turned about an origin that is far from the handle, the gripper would miss the handle.
+TEST(Perturbation, leavesTheObjectInTheGripper) {
+  Scenario scenario = ballInHand(makePose(Vec3(0.45, 0.1, 0.2)));
+  const Pose T_ball_origin = makePose(Vec3(0.0, 0.0, -0.15));
+  for (Shape& shape : scenario.object) shape.pose = T_ball_origin.inverse() * shape.pose;
+  scenario.T_gripper_object = scenario.T_gripper_object * T_ball_origin;
+  scenario.start = scenario.goal = scenario.start * T_ball_origin;
+  scenario.workspace.min += T_ball_origin.translation();
+  scenario.workspace.max += T_ball_origin.translation();
+  scenario.perturb = {0.0, 0.4};
+  double most = 0.0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Scenario perturbed = perturbScenario(scenario, seed);
+    EXPECT_NO_THROW((void)makeSimulatedRobot(perturbed, seed));
+    most = std::max(most, angleBetween(perturbed.object[0].pose, scenario.object[0].pose));
+  }
+  EXPECT_GT(most, 0.01);
 }
 
 TEST(StartAndGoal, areNamedWhereTheyTouch) {

@@ -23,7 +23,8 @@ struct ArmMotionParameters {
   double joint_acceleration = 1.4;         ///< of each joint, at most [rad/s^2]: 80 deg/s^2
   double limit_margin = 0.05;              ///< kept from each joint's limits [rad]
   /// Smallest singular value of the Jacobian that a motion may pass ([m/s], [rad/s] per rad/s): at
-  /// 0.05 the tool's 0.1 m/s ask at most 2 rad/s of a joint.
+  /// 0.05 the tool's 0.1 m/s ask at most 2 rad/s of a joint. Of an arm that is shorter than a UR5e
+  /// it is less in proportion, as its tool moves less with each joint.
   double least_singular_value = 0.05;
   /// Poses of the object that a start configuration should be able to move to on a straight way.
   std::vector<Pose> wanted;
@@ -62,13 +63,16 @@ class ArmMotion {
   /// resolved every 5 mm and 0.02 rad on the branch of `now`. It keeps within the speeds of object
   /// and joints, starts and ends at rest, and does not stop at poses where the path bends little.
   /// The whole of it is checked: the reason names the first pose that is out of reach, near a
-  /// singularity or a limit, or where links would collide. No points where `now` is at the end of
-  /// the path already. InputError for poses that are not finite.
+  /// singularity or a limit, or where links would collide; a joint that stands nearer to a limit
+  /// than the margin may move away from it. No points where `now` is at the end of the path
+  /// already. InputError for poses that are not finite.
   Result<JointTrajectory> trajectory(const JointVector& now, const Path& path) const;
 
  private:
-  Result<JointVector> next(const JointVector& now, const Pose& T_world_object) const;
-  Result<bool> checkConfiguration(const JointVector& q) const;
+  Result<JointVector> next(const JointVector& now, const Pose& T_world_object,
+                           const JointVector& start) const;
+  /// `start`: where the motion began; null for a configuration that none leads to.
+  Result<bool> checkConfiguration(const JointVector& q, const JointVector* start = nullptr) const;
   Result<std::vector<JointVector>> resolve(const JointVector& now, const Path& path) const;
   JointVector nearestTurns(const JointVector& q) const;
   /// Smallest singular value times a factor for each joint that is 1 in the middle of its range and
@@ -82,6 +86,7 @@ class ArmMotion {
 
   ArmMotionParameters parameters_;
   ArmModel arm_;
+  double least_singular_value_;  ///< of this arm
   InverseKinematics inverse_kinematics_;
   ArmCollision collision_;
   Pose T_tool_object_;
