@@ -106,7 +106,9 @@ class TrialReplay {
       scores_.places_before.push_back(std::accumulate(places.begin(), places.end(), 0.0) /
                                       static_cast<double>(places.size()));
     }
-    if (way_out_ != nullptr && belief_.contactCount() > 0) {
+    // Once it has been travelled it is known to be free.
+    const bool is_sought = way_out_ != nullptr && &motion <= way_out_;
+    if (is_sought && belief_.contactCount() > 0) {
       scores_.way_out.push_back(belief_.touchingShare(way_out_->path));
     }
   }
@@ -117,10 +119,9 @@ class TrialReplay {
     std::vector<double> logs;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       if (!places_[i]) continue;
-      const auto log_density =
-          logPlaceDensity(belief_.placesOf(*contacts_[i]), *contacts_[i]->line, *places_[i],
-                          0.5 * task_.voxel_size, range, task_.motion == Motion::kPlanar);
-      if (log_density) logs.push_back(*log_density);
+      logs.push_back(logPlaceDensity(belief_.placesOf(*contacts_[i]), *contacts_[i]->line,
+                                     *places_[i], 0.5 * task_.voxel_size, range,
+                                     task_.motion == Motion::kPlanar));
     }
     return logs;
   }

@@ -51,6 +51,15 @@ void refuseStrayTexts(const po::parsed_options& parsed) {
   }
 }
 
+// A shell's variable that was never set would else do as if the option were not there.
+void refuseEmptyTexts(const po::parsed_options& parsed) {
+  for (const po::option& option : parsed.options) {
+    if (!option.value.empty() && option.value.front().empty()) {
+      throw po::error("--" + option.string_key + ": is empty");
+    }
+  }
+}
+
 }  // namespace
 
 template <typename Number>
@@ -106,6 +115,7 @@ std::optional<std::string> readCommandLine(int argc, const char* const* argv,
     refuseStrayTexts(parsed);
     po::variables_map given;
     po::store(parsed, given);
+    refuseEmptyTexts(parsed);
     if (given.count("help") != 0) {
       return helpOf(std::filesystem::path(argv[0]).filename().string(), options, positional);
     }

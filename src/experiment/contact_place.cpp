@@ -36,10 +36,8 @@ std::optional<Vec3> truePlace(const ContactObservation& contact, const TrialTrut
   return on_object;
 }
 
-std::optional<double> logPlaceDensity(const std::vector<std::optional<Vec3>>& places,
-                                      const LineOfAction& line, const Vec3& true_place,
-                                      double bandwidth, double range, bool planar) {
-  if (places.empty()) return std::nullopt;
+double logPlaceDensity(const std::vector<std::optional<Vec3>>& places, const LineOfAction& line,
+                       const Vec3& true_place, double bandwidth, double range, bool planar) {
   Vec3 direction = line.direction;
   if (planar) direction.z() = 0.0;
   direction.normalize();

@@ -14,8 +14,8 @@ void saveMaps(const TwinMap& maps, const std::string& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw std::runtime_error(directory + ": cannot be made: " + error.message());
-  writeOctree(*toOctree(maps.world()), directory + "/world.ot");
-  writeOctree(*toOctree(maps.object()), directory + "/object.ot");
+  writeOctree(*toOctree(maps.world()), directory + "/" + kWorldMapFile);
+  writeOctree(*toOctree(maps.object()), directory + "/" + kObjectMapFile);
 }
 
 }  // namespace smore

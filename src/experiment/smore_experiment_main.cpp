@@ -89,18 +89,15 @@ bool writeFile(const std::string& json, const std::string& file) {
   return stream.good();
 }
 
-// An output that cannot be written must be known before hours of trials, not after; `scenario` is
-// the file that was found.
-bool canWriteOutputs(const Arguments& arguments, const std::string& scenario) {
+// An output that cannot be written must be known before hours of trials, not after. `inputs` are
+// the files that must stay.
+bool canWriteOutputs(const Arguments& arguments, const std::vector<std::string>& inputs) {
+  const std::string& maps = arguments.parameters.maps_directory;
+  const std::string& records = arguments.parameters.record_directory;
   std::string problem;
-  if (!arguments.output.empty()) {
-    problem = smore::problemOfFile(arguments.output,
-                                   {scenario, arguments.method_parameters, arguments.touch_poses});
-  }
-  for (const std::string& directory :
-       {arguments.parameters.maps_directory, arguments.parameters.record_directory}) {
-    if (problem.empty() && !directory.empty()) problem = smore::problemOfDirectory(directory);
-  }
+  if (!arguments.output.empty()) problem = smore::problemOfFile(arguments.output, inputs);
+  if (problem.empty() && !maps.empty()) problem = smore::problemOfMapsDirectory(maps, inputs);
+  if (problem.empty() && !records.empty()) problem = smore::problemOfDirectory(records);
   if (!problem.empty()) std::cerr << problem << std::endl;
   return problem.empty();
 }
@@ -140,8 +137,19 @@ int exitCode(const std::vector<smore::TrialResult>& trials) {
   return smore::kInternalError;
 }
 
-// At most one way to touch that is not the method's own.
-void checkTouches(const Arguments& arguments) {
+std::vector<std::string> inputsOf(const Arguments& arguments, const std::string& scenario_file,
+                                  const smore::Scenario& scenario) {
+  std::vector<std::string> inputs = smore::filesOf(scenario);
+  for (const std::string& file :
+       {scenario_file, arguments.method_parameters, arguments.touch_poses}) {
+    inputs.push_back(file);
+  }
+  return inputs;
+}
+
+// At most one way to touch that is not the method's own, and only where there are touches for the
+// maps.
+void checkTouches(const Arguments& arguments, smore::Task task) {
   const smore::ExperimentParameters& parameters = arguments.parameters;
   if (parameters.informed_touches && arguments.method != "smore") {
     throw smore::InputError("--informed-touches: only the method smore can choose them");
@@ -152,6 +160,11 @@ void checkTouches(const Arguments& arguments) {
     throw smore::InputError(
         "--random-touches, --informed-touches, --touch-poses: give one of them");
   }
+  if (ways == 1 && task == smore::Task::kRetrieve && parameters.touches_after_success == 0) {
+    throw smore::InputError(
+        "--random-touches, --informed-touches, --touch-poses: a retrieval touches for the maps "
+        "only after it; give --touches-after-success, or a scenario with the task reconstruct");
+  }
 }
 
 int run(Arguments arguments) {
@@ -159,10 +172,10 @@ int run(Arguments arguments) {
   if (!arguments.method_parameters.empty()) {
     smore::checkTakesParameters(arguments.parameters.method);
   }
-  checkTouches(arguments);
   const std::string file =
       smore::findScenario(arguments.scenario, smore::shippedScenarioDirectory());
   const smore::Scenario scenario = smore::loadScenario(file);
+  checkTouches(arguments, scenario.task);
   if (!arguments.method_parameters.empty()) {
     arguments.parameters.method_parameters =
         smore::loadMethodParameters(arguments.method_parameters);
@@ -176,7 +189,9 @@ int run(Arguments arguments) {
     (void)smore::makeSimulatedRobot(scenario, arguments.parameters.seed);  // refuses what cannot be
   }
   smore::checkPriors(arguments.parameters.method, smore::makePriors(scenario));
-  if (!canWriteOutputs(arguments, file)) return smore::kInternalError;
+  if (!canWriteOutputs(arguments, inputsOf(arguments, file, scenario))) {
+    return smore::kInternalError;
+  }
   if (arguments.validate) {
     const bool told =
         arguments.output.empty() || writeFile(smore::toJson(scenario), arguments.output);

@@ -2,6 +2,7 @@
 // Replays recorded trials through the belief as it is now and writes proper scores of it as JSON.
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "smore/common/json_lines.h"
@@ -11,6 +12,7 @@
 #include "smore/experiment/output_file.h"
 #include "smore/experiment/program_main.h"
 #include "smore/experiment/score_report.h"
+#include "smore/scenario/scenario_json.h"
 
 namespace {
 
@@ -39,6 +41,19 @@ po::options_description optionsFor(Arguments* arguments) {
   return options;
 }
 
+// Trials are put together by the scene's name: copies of a scene that keep its name are told apart
+// here.
+void checkNames(const std::vector<smore::Evidence>& evidence) {
+  std::map<std::string, const smore::Evidence*> first;
+  for (const smore::Evidence& trial : evidence) {
+    const smore::Evidence* other = first.emplace(trial.source.task.name, &trial).first->second;
+    if (smore::toJson(trial.source.task) == smore::toJson(other->source.task)) continue;
+    throw smore::InputError(other->file + " and " + trial.file + ": tasks that differ have the " +
+                            "name " + trial.source.task.name +
+                            "; score them one by one, or name their scenes differently");
+  }
+}
+
 int run(const Arguments& arguments) {
   const std::string problem =
       arguments.output.empty()
@@ -60,6 +75,7 @@ int run(const Arguments& arguments) {
     if (!evidence.back().whole) std::cerr << file << ": the last record was cut" << std::endl;
     truths.push_back(smore::readTruth(file));
   }
+  checkNames(evidence);
   std::vector<smore::TrialScores> trials;
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     std::cerr << arguments.evidence[i] << std::endl;

@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/experiment/trial_recording.h"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "smore/experiment/trial_truth.h"
 
 namespace smore {
+namespace {
+
+// Another run that still writes a file of this name keeps the one that it has: the records of two
+// are never mixed.
+std::string freed(const std::string& file) {
+  std::error_code none;
+  std::filesystem::remove(file, none);  // what remains shows when it is opened
+  return file;
+}
+
+}  // namespace
 
 TrialRecording::TrialRecording(const std::string& file, const EvidenceSource& source,
                                const Scenario& perturbed, const SimulatedRobot* robot)
-    : file_(file), evidence_(&file_, source), robot_(robot) {
+    : file_(freed(file)), evidence_(&file_, source), robot_(robot) {
   file_.append(solidsRecord(perturbed));
 }
 

@@ -7,9 +7,9 @@
 
 #include "bag_evidence.h"
 #include "other_task.h"
-#include "smore/common/output_directory.h"
 #include "smore/common/result.h"
 #include "smore/experiment/command_line.h"
+#include "smore/experiment/output_file.h"
 #include "smore/experiment/program_main.h"
 #include "smore/experiment/rebuild.h"
 
@@ -89,7 +89,8 @@ int run(const Arguments& arguments) {
   if (parameters) {
     smore::checkTakesParameters(changes.method.value_or(evidence.source.method));
   }
-  const std::string problem = smore::problemOfDirectory(arguments.output);
+  const std::string problem =
+      smore::problemOfMapsDirectory(arguments.output, smore::filesOf(evidence.source.task));
   if (!problem.empty()) {
     std::cerr << problem << std::endl;
     return smore::kInternalError;

@@ -64,6 +64,7 @@ TEST(CommandLine, takesWhatIsNoOptionWhereSomethingTakesIt) {
   EXPECT_EQ(values.method, "paper");
   EXPECT_EQ(problemOf({"--file", "x", "stray"}),
             "'stray' was not expected; --help lists the options");
+  EXPECT_EQ(problemOf({"--file", ""}), "--file: is empty; --help lists the options");
 }
 
 TEST(CommandLine, namesTheOptionAndWhatItTakes) {

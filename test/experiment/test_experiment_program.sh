@@ -27,6 +27,8 @@ expect 2 "--trials" --scenario "$reference" --trials 0
 expect 2 "--method" --scenario "$reference" --method guess
 expect 2 "--informed-touches: only the method smore" --scenario "$reference" --method paper --informed-touches
 expect 2 "give one of them" --scenario "$reference" --informed-touches --random-touches
+expect 2 "give --touches-after-success" --scenario "$reference" --random-touches
+expect 2 "--maps: is empty" --scenario "$reference" --maps ""
 expect 2 "scenario '/nowhere.yaml': there is no readable file" --scenario /nowhere.yaml
 expect 2 "one of: c_on_peg, chair" --scenario nowhere
 expect 0 "/one_peg.yaml: valid" --scenario one_peg --validate
@@ -66,6 +68,10 @@ if ! grep -q '"collisions": 1,' "$directory/out"; then
 fi
 expect 0 "limit of 2 collisions" --scenario "$reference" --method paper --max-collisions 2 \
   --output "$directory/made/result.json" --maps "$directory/maps" --record "$directory/new/record"
+printf 'prior: {world: [{source: maps/world.ot}]}\n' | cat "$scenarios/one_peg.yaml" - >"$directory/told.yaml"
+expect 1 "world.ot: is read as well" --scenario "$directory/told.yaml" --output "$directory/maps/world.ot"
+expect 1 "world.ot is read as well" --scenario "$directory/told.yaml" --maps "$directory"
+expect 0 "valid" --scenario "$directory/told.yaml" --validate --maps "$directory/maps_of_told"
 
 program=$2
 evidence=$directory/new/record/seed_1.evidence

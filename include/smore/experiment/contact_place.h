@@ -21,9 +21,8 @@ std::optional<Vec3> truePlace(const ContactObservation& contact, const TrialTrut
 /// where t is the coordinate along the line, K the normal density with the standard deviation
 /// `bandwidth` [m], and L the `range` [m] over which a place of which nothing is known is uniform;
 /// a world that holds the contact to be false counts 1/L. In `planar` motion the coordinate is that
-/// in the plane. Nothing without places.
-std::optional<double> logPlaceDensity(const std::vector<std::optional<Vec3>>& places,
-                                      const LineOfAction& line, const Vec3& true_place,
-                                      double bandwidth, double range, bool planar);
+/// in the plane. Without places, of a contact that the belief has left out, it is 1/L.
+double logPlaceDensity(const std::vector<std::optional<Vec3>>& places, const LineOfAction& line,
+                       const Vec3& true_place, double bandwidth, double range, bool planar);
 
 }  // namespace smore

@@ -7,7 +7,10 @@
 
 namespace smore {
 
-/// Writes `world.ot` and `object.ot` (OctoMap's own format) to `directory`, which is made where it
+constexpr const char* kWorldMapFile = "world.ot";
+constexpr const char* kObjectMapFile = "object.ot";
+
+/// Writes both maps by these names (OctoMap's own format) to `directory`, which is made where it
 /// is missing. std::runtime_error where they cannot be written.
 void saveMaps(const TwinMap& maps, const std::string& directory);
 

@@ -12,4 +12,9 @@ namespace smore {
 /// after.
 std::string problemOfFile(const std::string& file, const std::vector<std::string>& inputs = {});
 
+/// The same of a directory for maps, and for directories of maps in it (saveMaps): an octree with
+/// the name of one of theirs that is among the inputs must not lie in it.
+std::string problemOfMapsDirectory(const std::string& directory,
+                                   const std::vector<std::string>& inputs);
+
 }  // namespace smore
