@@ -5,12 +5,14 @@
     plot_results.py --output FILE.png RESULT.json [RESULT.json ...]
 
 Each trial is a dot, a box holds the middle half of a method's trials and a line marks their median; a
-cross is a trial that did not reach the goal: it is in no mean. Files of one method, scene and set of
-parameters are put together; of several of one method each has the file's name. On the paper's own scene
-dashed lines are its counts.
+cross is a trial that did not reach the goal: it is in no mean. Files of one method, of scenes of one name
+and of one set of parameters are put together; where a method has several such groups, each is named after
+its first file. On the paper's own scene dashed lines are its counts.
 """
 import argparse
+import collections
 import json
+import os
 import pathlib
 import sys
 
@@ -53,17 +55,21 @@ def task_of(result):
 
 
 def read(files):
-    """Trials by method, with the file's name where the method alone does not tell; and the scenarios' names."""
-    results = [(pathlib.Path(file).stem, read_result(file)) for file in files]
-    tasks, trials, scenarios = {}, {}, []
-    for _, result in results:
-        tasks.setdefault(result["method"], set()).add(task_of(result))
-    for name, result in results:
-        method = result["method"]
-        label = method if len(tasks[method]) == 1 else f"{method} ({name})"
-        trials.setdefault(label, []).extend(result["trials"])
+    """Trials by method, with a file's name where the method alone does not tell; and the scenarios' names."""
+    groups, named_after, scenarios = {}, {}, []
+    for file in files:
+        result = read_result(file)
+        group = result["method"], task_of(result)
+        groups.setdefault(group, []).extend(result["trials"])
+        named_after.setdefault(group, str(pathlib.Path(file).with_suffix("")))
         if result["scenario"] not in scenarios:
             scenarios.append(result["scenario"])
+    counts = collections.Counter(method for method, _ in groups)
+    shared = os.path.commonpath([str(pathlib.Path(file).parent) for file in named_after.values()])
+    trials = {}
+    for group, of_group in groups.items():
+        name = os.path.relpath(named_after[group], shared or ".")
+        trials[group[0] if counts[group[0]] == 1 else f"{group[0]} ({name})"] = of_group
     return {label: trials[label] for label in sorted(trials, key=rank)}, scenarios
 
 

@@ -20,7 +20,8 @@ def read(directory):
     limit = directory / "time_limit"  # which ends a retrieval as its user would
     if limit.exists():
         trial["reason"] = limit.read_text().strip()
-    trial["peak_force"] = json.loads((directory / "peak_force.json").read_text())["peak_force"]
+    force = directory / "peak_force.json"  # not there where nothing was listened to
+    trial["peak_force"] = json.loads(force.read_text())["peak_force"] if force.exists() else None
     log = (directory / "launch.log").read_text(errors="replace")
     trial["waits"] = log.count("the motion waits")
     return trial
@@ -31,7 +32,7 @@ def main():
         sys.exit("usage: table_of_twin.py DIRECTORY [DIRECTORY ...]")
     trials = [read(name) for name in sys.argv[1:]]
     collisions = [trial["collisions"] for trial in trials if trial["collisions"] is not None]
-    forces = [trial["peak_force"] for trial in trials]
+    forces = [trial["peak_force"] for trial in trials if trial["peak_force"] is not None] or [0]
     print("| at the goal | collisions, mean | most | peak force, median | most | waits told |")
     print("|---|---|---|---|---|---|")
     print(f"| {sum(trial['success'] for trial in trials)} of {len(trials)}"

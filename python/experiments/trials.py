@@ -156,8 +156,8 @@ def why_not(done, output):
 def require_same(trial, directory, settings):
     """TrialError where program or scene are not those that the trial was asked for with."""
     if trial.settings(directory, fingerprint(PROGRAM)) != settings:
-        raise TrialError(f"{trial.name}: the program or the scene on {socket.gethostname()} is not the one that it was "
-                         "begun with; build it, and run this again")
+        raise TrialError(f"{trial.name}: program or scene on {socket.gethostname()} differ from those that it was asked "
+                         "for with; give all machines the same build, change nothing meanwhile, and run this again")
 
 
 def run_one(trial, directory, settings):
@@ -173,11 +173,10 @@ def run_one(trial, directory, settings):
         done = subprocess.run(command, stderr=subprocess.PIPE, text=True)
         if done.returncode != 0:
             raise TrialError(f"{trial.name}: {why_not(done, output)}")
+        require_same(trial, directory, settings)
         if evidence:
             (pathlib.Path(folder) / evidence.name).replace(evidence)
-        result = json.loads(output.read_text())["trials"][0]
-    require_same(trial, directory, settings)
-    return result
+        return json.loads(output.read_text())["trials"][0]
 
 
 def collect(asked, store, progress):

@@ -16,6 +16,9 @@ constexpr double kStallTime = 0.5;
 // A motion may take so many times what its speed says, and so much more [s].
 constexpr double kSlowness = 3.0;
 constexpr double kSlack = 5.0;
+// A compliant robot that stands as near as this comes no nearer.
+constexpr double kNearPosition = 0.01;  // [m]
+constexpr double kNearAngle = 0.05;     // [rad]
 
 }  // namespace
 
@@ -37,8 +40,16 @@ MotionStage MotionProgress::update(double time, const Pose& here, double scaling
   if (rest_ >= kRestTime && may_arrive && gapBetween(here, target_) < kAtTarget) {
     return MotionStage::kArrived;
   }
-  if (elapsed_ > kSlowness * duration_ + kSlack) return MotionStage::kLate;
+  if (elapsed_ > kSlowness * duration_ + kSlack) {
+    const bool has_ended = rest_ >= kStallTime && isNearTarget(here);
+    return has_ended ? MotionStage::kArrived : MotionStage::kLate;
+  }
   return rest_ >= kStallTime ? MotionStage::kStalled : MotionStage::kUnderWay;
+}
+
+bool MotionProgress::isNearTarget(const Pose& here) const {
+  return distanceBetween(here, target_) <= kNearPosition &&
+         angleBetween(here, target_) <= kNearAngle;
 }
 
 void MotionProgress::setOutAgain(double duration) {

@@ -52,8 +52,8 @@ InProcessRobot::InProcessRobot(SimulatedRobot* robot, const ContactSensingParame
   }
   if (!waitUntilFree()) throw std::runtime_error("the sensor feels a force at the start pose");
   if (const auto stopped = robot_->fault()) {
-    throw std::runtime_error(
-        stopped->reason + " at the start; change the scenario's start, robot_base or environment");
+    throw std::runtime_error(stopped->reason +
+                             " at the start; change the scenario or the arm's description");
   }
 }
 

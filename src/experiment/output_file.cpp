@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/experiment/output_file.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -11,13 +10,15 @@
 namespace smore {
 namespace {
 
-bool liesIn(const std::filesystem::path& file, const std::filesystem::path& directory) {
+// Whether the maps of trials whose directory this is may be written to the file.
+bool isMapOf(const std::filesystem::path& directory, const std::filesystem::path& file) {
   std::error_code none;
-  const auto whole_file = std::filesystem::weakly_canonical(file, none);
-  const auto whole_directory = std::filesystem::weakly_canonical(directory, none);
-  return std::mismatch(whole_directory.begin(), whole_directory.end(), whole_file.begin(),
-                       whole_file.end())
-             .first == whole_directory.end();
+  const std::filesystem::path whole = std::filesystem::canonical(file, none);
+  if (whole.filename() != kWorldMapFile && whole.filename() != kObjectMapFile) return false;
+  const std::filesystem::path folder = whole.parent_path();
+  const bool of_one_of_several = folder.filename().string().compare(0, 5, "seed_") == 0;
+  return std::filesystem::equivalent(folder, directory, none) ||
+         (of_one_of_several && std::filesystem::equivalent(folder.parent_path(), directory, none));
 }
 
 }  // namespace
@@ -40,8 +41,7 @@ std::string problemOfFile(const std::string& file, const std::vector<std::string
 std::string problemOfMapsDirectory(const std::string& directory,
                                    const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
-    const std::string name = std::filesystem::path(input).filename();
-    if ((name == kWorldMapFile || name == kObjectMapFile) && liesIn(input, directory)) {
+    if (isMapOf(directory, input)) {
       return directory + ": " + input +
              " is read as well, and would be written over; give another directory";
     }

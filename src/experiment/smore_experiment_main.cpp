@@ -167,6 +167,16 @@ void checkTouches(const Arguments& arguments, smore::Task task) {
   }
 }
 
+// Refuses what cannot be simulated.
+void checkSimulation(const smore::Scenario& scenario, std::uint64_t seed) {
+  const auto robot = smore::makeSimulatedRobot(scenario, seed);
+  robot->advance();
+  if (const auto fault = robot->fault()) {
+    throw smore::InputError("scenario " + scenario.name + ": " + fault->reason +
+                            " at the start; change the scenario or the arm's description");
+  }
+}
+
 int run(Arguments arguments) {
   arguments.parameters.method = smore::methodKind(arguments.method);
   if (!arguments.method_parameters.empty()) {
@@ -185,9 +195,7 @@ int run(Arguments arguments) {
         smore::loadMotions(arguments.touch_poses, scenario.motionSpace());
   }
   const bool for_real_robots = arguments.validate && !scenario.hasScene();
-  if (!for_real_robots) {
-    (void)smore::makeSimulatedRobot(scenario, arguments.parameters.seed);  // refuses what cannot be
-  }
+  if (!for_real_robots) checkSimulation(scenario, arguments.parameters.seed);
   smore::checkPriors(arguments.parameters.method, smore::makePriors(scenario));
   if (!canWriteOutputs(arguments, inputsOf(arguments, file, scenario))) {
     return smore::kInternalError;

@@ -41,8 +41,8 @@ po::options_description optionsFor(Arguments* arguments) {
   return options;
 }
 
-// Trials are put together by the scene's name: copies of a scene that keep its name are told apart
-// here.
+// Trials are put together by the scene's name: a copy of a scene that keeps its name is refused if
+// its task differs. Of other solids a recorded task knows nothing.
 void checkNames(const std::vector<smore::Evidence>& evidence) {
   std::map<std::string, const smore::Evidence*> first;
   for (const smore::Evidence& trial : evidence) {

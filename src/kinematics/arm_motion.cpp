@@ -38,8 +38,8 @@ std::string text(const Pose& pose) {
 // step joins its neighbour: where the arm stands is always a little beside where a path begins.
 std::vector<JointVector> withoutShortEnds(std::vector<JointVector> path) {
   const auto step = [&path](size_t i) { return (path[i + 1] - path[i]).norm(); };
-  if (path.size() > 2 && 2.0 * step(0) < step(1)) path.erase(path.begin() + 1);
-  if (path.size() > 2 && 2.0 * step(path.size() - 2) < step(path.size() - 3)) {
+  while (path.size() > 2 && 2.0 * step(0) < step(1)) path.erase(path.begin() + 1);
+  while (path.size() > 2 && 2.0 * step(path.size() - 2) < step(path.size() - 3)) {
     path.erase(path.end() - 2);
   }
   return path;

@@ -68,6 +68,20 @@ Edges edgesBetween(const Path& poses, const std::vector<int>& track_of,
 
 }  // namespace
 
+std::vector<Path> tracksWithin(const MotionSpace& space, const std::vector<Path>& tracks) {
+  std::vector<Path> within;
+  for (const Path& track : tracks) {
+    bool goes_on = false;
+    for (const Pose& pose : track) {
+      const bool is_within = space.isNearWorkspace(pose);
+      if (is_within && !goes_on) within.emplace_back();
+      if (is_within) within.back().push_back(pose);
+      goes_on = is_within;
+    }
+  }
+  return within;
+}
+
 FreeRoadmap::FreeRoadmap(const std::vector<Path>& tracks, const Pose& from,
                          const FreeSpaceParameters& cell, double unit) {
   Path poses{from};

@@ -18,6 +18,10 @@ void plantTracks(const std::vector<Path>& tracks, const RiskSpace& space,
     int parent = kNowhere;
     for (const Pose& pose : track) {
       const RiskState state = space.toState(pose);
+      if (!space.isNearWorkspace(state)) {  // it was led there, or is told of it
+        parent = kNowhere;
+        continue;
+      }
       if (parent == kNowhere && !begins(pose, state)) continue;
       parent = tree->add(state, parent == kNowhere ? 0 : parent);
     }

@@ -101,7 +101,7 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
       seed,
       CounterRandom(seed),
       deadline};
-  if (!space.contains(search.start)) return Failure{"the start is outside of the workspace"};
+  if (!space.isNearWorkspace(search.start)) return Failure{"the start is outside of the workspace"};
   if (!space.contains(search.goal)) return Failure{"the goal is outside of the workspace"};
   std::vector<RiskPath> paths = climb(&search);
   if (paths.empty()) return Failure{"the planner's iterations were used up at every level of risk"};

@@ -31,8 +31,8 @@ InformedTouches::InformedTouches(const JointBelief& belief, const MotionSpace& s
 Result<Path> InformedTouches::nextTouch(const Pose& from) {
   if (belief_->contactCount() == 0) return first_.nextTouch(from);
   const ContactRisk risk(belief_->worlds());
-  const FreeRoadmap roadmap(risk.worlds().tracks, from, risk.worlds().free.parameters(),
-                            risk.worlds().unit);
+  const FreeRoadmap roadmap(tracksWithin(space_, risk.worlds().tracks), from,
+                            risk.worlds().free.parameters(), risk.worlds().unit);
   int best_turn = 0;
   Pose best_end = from;
   information_ = 0.0;
@@ -40,7 +40,7 @@ Result<Path> InformedTouches::nextTouch(const Pose& from) {
     const int turn = random_.index(static_cast<int>(roadmap.reachable().size()));
     const Pose& begin = roadmap.reachable()[turn];
     const Pose end = drawEnd(begin, risk.worlds().held, &random_);
-    if (!space_.contains(end) || !space_.allowsTurn(begin, end)) continue;
+    if (!space_.inWorkspace(end) || !space_.allowsTurn(begin, end)) continue;
     const double information = risk.informationOf({begin, end});
     if (information <= information_) continue;
     information_ = information;

@@ -25,7 +25,7 @@ void touchOn(const ReconstructionParameters& parameters, Robot* robot, TouchPlan
     enter(Phase::kPlanning);
     const Result<Path> path = touches->nextTouch(robot->pose());
     if (!path) {
-      outcome->reason = path.reason();
+      outcome->reason = should_stop && should_stop() ? "stopped by the user" : path.reason();
       return;
     }
     if (path->empty()) {

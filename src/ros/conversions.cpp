@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace smore {
 namespace {
@@ -246,6 +247,10 @@ Result<std::vector<double>> fromMessage(const sensor_msgs::JointState& message,
     positions.push_back(message.position[index]);
   }
   return positions;
+}
+
+int countOf(std::uint32_t count) {
+  return static_cast<int>(std::min<std::uint32_t>(count, std::numeric_limits<int>::max()));
 }
 
 }  // namespace smore

@@ -159,8 +159,8 @@ class RetrievalNode {
 
   RetrievalOutcome attempt(const smore_msgs::RetrieveGoal& goal) {
     RetrievalParameters parameters = retrievalParameters(scenario_);
-    parameters.max_collisions = goal.max_collisions > 0 ? static_cast<int>(goal.max_collisions)
-                                                        : parameters_.max_collisions;
+    parameters.max_collisions =
+        goal.max_collisions > 0 ? countOf(goal.max_collisions) : parameters_.max_collisions;
     parameters.retreat_distance = parameters_.retreat_distance;
     RetrievalOutcome outcome;
     if (!goal.goal.header.frame_id.empty()) {
@@ -227,7 +227,7 @@ class RetrievalNode {
     RemoteTouchPlanner touches(parameters_.frames.world, &robot_);
     ReconstructionParameters parameters = reconstructionParameters(scenario_);
     parameters.retreat_distance = parameters_.retreat_distance;
-    if (max_collisions > 0) parameters.max_collisions = static_cast<int>(max_collisions);
+    if (max_collisions > 0) parameters.max_collisions = countOf(max_collisions);
     return reconstruct(
         parameters, &robot_, &touches, [this](const auto& progress) { show(progress); },
         [this] { return robot_.stopRequested(); });

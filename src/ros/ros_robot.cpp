@@ -120,7 +120,8 @@ MotionResult RosRobot::retreat(double distance) {
                                           [this] { return waitUntilFree(); }});
   if (result) return *result;
   halt();
-  return {stop_requested_ ? MotionEnd::kStopped : MotionEnd::kFault, kStillInContact, 0.0};
+  if (stop_requested_) return {MotionEnd::kStopped, "stopped by the user", 0.0};
+  return {MotionEnd::kFault, kStillInContact, 0.0};
 }
 
 MotionResult RosRobot::goBack(const Path& back) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "arm_world.h"
 
+#include <algorithm>
+
+#include "smore/simulation/simulated_robot.h"
+
 namespace smore {
 namespace {
 
@@ -35,10 +39,7 @@ ArmWorld::ArmWorld(const Scenario& scenario, const UrdfModel& urdf, const ArmFra
   arm_.addTo(&world_, kLinkGroup, btBroadphaseProxy::AllFilter);
   carried_.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT |
                              btCollisionObject::CF_NO_CONTACT_RESPONSE);
-  // As links do that one joint joins, the gripper and the link before the last may overlap.
-  for (btMultiBodyLinkCollider* collider : arm_.lastColliders()) {
-    carried_.setIgnoreCollisionCheck(collider, true);
-  }
+  carried_.setIgnoreCollisionCheck(arm_.lastCollider(), true);
   carried_.setActivationState(DISABLE_DEACTIVATION);
   setCarried(carried);
 }
@@ -79,11 +80,22 @@ std::set<LinkContact> ArmWorld::linkContacts() const {
       if (point.getDistance() > 0.0 && point.m_appliedImpulse <= 0.0) continue;
       const std::string first = nameOf(manifold->getBody0(), point.m_index0);
       const std::string second = nameOf(manifold->getBody1(), point.m_index1);
+      if (mayOverlap(manifold->getBody0(), second) || mayOverlap(manifold->getBody1(), first)) {
+        continue;
+      }
       const bool first_is_link = isLink(manifold->getBody0());
       contacts.insert(first_is_link ? LinkContact{first, second} : LinkContact{second, first});
     }
   }
   return contacts;
+}
+
+// As links do that one joint joins, the gripper and the link before the last may overlap. What the
+// gripper holds may not.
+bool ArmWorld::mayOverlap(const btCollisionObject* body, const std::string& other) const {
+  const auto end = carried_names_.end();
+  return body == arm_.colliderBeforeLast() && other != kObjectBody &&
+         std::find(carried_names_.begin(), end, other) != end;
 }
 
 bool ArmWorld::isLink(const btCollisionObject* body) const {

@@ -57,6 +57,8 @@ class ArmWorld {
  private:
   std::string nameOf(const btCollisionObject* body, int shape) const;
   bool isLink(const btCollisionObject* body) const;
+  /// Whether a body of the arm and what the hand carries of that name may overlap.
+  bool mayOverlap(const btCollisionObject* body, const std::string& other) const;
 
   double step_;
   std::vector<std::string> carried_names_;

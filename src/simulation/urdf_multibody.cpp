@@ -140,11 +140,6 @@ void UrdfMultibody::addCollider(int index) {
   }
 }
 
-std::vector<btMultiBodyLinkCollider*> UrdfMultibody::lastColliders() {
-  const Part& last = parts_.back();
-  return {last.collider.get(), parts_[static_cast<size_t>(last.parent)].collider.get()};
-}
-
 void UrdfMultibody::addMotor(const urdf::Joint& joint, int index, double step) {
   if (!joint.limits) {
     throw InputError(source_ + ": joint " + joint.name +

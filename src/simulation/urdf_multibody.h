@@ -58,8 +58,11 @@ class UrdfMultibody {
   /// The body's collider that holds a link, and the name of the link that a shape belongs to.
   const std::string& linkName(const btCollisionObject* collider, int shape) const;
 
-  /// Of the part that `last` belongs to, and of the one that carries it.
-  std::vector<btMultiBodyLinkCollider*> lastColliders();
+  btMultiBodyLinkCollider* lastCollider() { return parts_.back().collider.get(); }
+  /// Of the part that carries the last one.
+  const btCollisionObject* colliderBeforeLast() const {
+    return parts_[static_cast<size_t>(parts_.back().parent)].collider.get();
+  }
   const btCollisionObject* baseCollider() const { return parts_.front().collider.get(); }
 
  private:

@@ -56,6 +56,19 @@ TEST(MotionProgress, isLateWhenTheRobotCreeps) {
   EXPECT_NEAR(time, 11.0, 0.01);
 }
 
+// A compliant arm that stands a little short of where it was sent.
+TEST(MotionProgress, hasEndedWhereTheRobotStandsNearTheTargetToTheLast) {
+  for (const double short_of : {0.005, 0.02}) {
+    MotionProgress progress(0.0, at(0.0), at(0.1), 2.0);
+    MotionStage stage = MotionStage::kUnderWay;
+    for (int i = 1; kPeriod * i < 11.1; ++i) {
+      stage = progress.update(kPeriod * i, at(std::min(0.05 * kPeriod * i, 0.1 - short_of)), 1.0);
+      if (kPeriod * i > 2.5 && kPeriod * i < 10.9) ASSERT_EQ(stage, MotionStage::kStalled);
+    }
+    EXPECT_EQ(stage, short_of < 0.01 ? MotionStage::kArrived : MotionStage::kLate);
+  }
+}
+
 // The slider's range: a tenth, as it should be at first, and the least that is no pause.
 TEST(MotionProgress, hasLongerWhereTheRobotIsSlower) {
   for (const double scaling : {0.1, kLeastScaling}) {

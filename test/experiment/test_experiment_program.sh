@@ -70,8 +70,8 @@ expect 0 "limit of 2 collisions" --scenario "$reference" --method paper --max-co
   --output "$directory/made/result.json" --maps "$directory/maps" --record "$directory/new/record"
 printf 'prior: {world: [{source: maps/world.ot}]}\n' | cat "$scenarios/one_peg.yaml" - >"$directory/told.yaml"
 expect 1 "world.ot: is read as well" --scenario "$directory/told.yaml" --output "$directory/maps/world.ot"
-expect 1 "world.ot is read as well" --scenario "$directory/told.yaml" --maps "$directory"
-expect 0 "valid" --scenario "$directory/told.yaml" --validate --maps "$directory/maps_of_told"
+expect 1 "world.ot is read as well" --scenario "$directory/told.yaml" --maps "$directory/maps"
+expect 0 "valid" --scenario "$directory/told.yaml" --validate --maps "$directory"
 
 program=$2
 evidence=$directory/new/record/seed_1.evidence

@@ -80,6 +80,16 @@ TEST(FreeRoadmap, goesBackFromAnywhereOnTheWayThatWasDriven) {
   }
 }
 
+TEST(FreeRoadmap, tracksAreCutWhereTheyLeaveTheWorkspace) {
+  MotionSpace space;
+  space.workspace = {Vec3(-0.1, -0.1, -0.1), Vec3(0.1, 0.1, 0.1)};
+  const std::vector<Path> within = tracksWithin(
+      space, {{at(0, 0), at(0.105, 0), at(0.12, 0), at(0.1, 0.05), at(0, 0.05)}, {at(0.3, 0)}});
+  ASSERT_EQ(within.size(), 2U);
+  EXPECT_EQ(within[0].size(), 2U) << "an arm is never quite where it was sent";
+  EXPECT_EQ(within[1].size(), 2U);
+}
+
 TEST(FreeRoadmap, beginsWhereTheObjectIsWhateverIsKnown) {
   const FreeRoadmap roadmap({}, at(0.3, 0.2), kCells, kUnit);
   ASSERT_EQ(roadmap.reachable().size(), 1u);

@@ -70,6 +70,13 @@ TEST_F(PlantedTracks, ThatBeginInAnotherPostureAreNotJoinedToTheRoot) {
   EXPECT_EQ(planted({turned}).size(), 1);
 }
 
+// Where somebody has led the object, or what a belief of another workspace tells.
+TEST_F(PlantedTracks, EndWhereTheyLeaveTheWorkspace) {
+  const RiskTree tree = planted({along(0.0, -1.6, 0.0)});
+  ASSERT_GT(tree.size(), 20);
+  for (int node = 0; node < tree.size(); ++node) EXPECT_GT(tree.state(node).position.x(), -1.31F);
+}
+
 TEST_F(PlantedTracks, AreNotJoinedThroughWhatTouches) {
   const Pose beyond = makePose({0.1, 0, 0});
   ASSERT_NE(worlds_->sampled.touching(beyond.cast<float>()), 0U);

@@ -175,6 +175,20 @@ TEST_P(RiskPlannerIn, SaysWhyThereIsNoPlan) {
   EXPECT_FALSE(planner.plan(makePose({2, 0, 0}), kGoal));
 }
 
+// An arm that was sent to an edge of the workspace is never quite there.
+TEST_P(RiskPlannerIn, StartsALittleBesideTheWorkspace) {
+  const JointBelief belief = emptyBelief(GetParam());
+  const MotionSpace space = spaceOf(GetParam());
+  RiskPlanner planner(belief, space, {}, 1);
+  const double edge = space.workspace.max.x();
+  const auto plan = planner.plan(makePose({edge + 0.005, 0, 0}), kGoal);
+  ASSERT_TRUE(plan) << plan.reason();
+  for (std::size_t i = 1; i < plan->path.size(); ++i) {
+    EXPECT_LT(plan->path[i].translation().x(), edge + 1e-4);
+  }
+  EXPECT_FALSE(planner.plan(makePose({edge + 0.02, 0, 0}), kGoal));
+}
+
 // How far a bar along y has turned towards the way ahead when it is half-way: 1 when it goes end
 // first, 0 when it goes broadside. Nothing has been touched yet.
 double endFirst(bool known, const RiskPlannerParameters& parameters) {

@@ -150,7 +150,7 @@ class ExperimentsTest(unittest.TestCase):
 
     def test_a_trial_during_which_the_program_changes_is_not_kept(self):
         trials.PROGRAM.write_text(PROGRAM + "open(sys.argv[0], 'a').write('# another build')\n")
-        with self.assertRaisesRegex(TrialError, "t: the program or the scene on .* begun with"):
+        with self.assertRaisesRegex(TrialError, "t: program or scene on .* differ"):
             run([Trial("t", "scene", 1)], self.folder, 1)
         self.assertEqual(Store(self.folder).finished, {})
 
@@ -159,7 +159,7 @@ class ExperimentsTest(unittest.TestCase):
         scene.write_text("voxel_size: 0.03")
         settings = Store(self.folder).settings(Trial("t", str(scene), 1))
         scene.write_text("voxel_size: 0.05")
-        with self.assertRaisesRegex(TrialError, "begun with"):
+        with self.assertRaisesRegex(TrialError, "differ"):
             trials.run_one(Trial("t", str(scene), 1), self.folder, settings)
         self.assertFalse(self.calls.exists())
 

@@ -110,7 +110,12 @@ class PlotsTest(unittest.TestCase):
             files[-1].write_text(json.dumps(
                 {"scenario": "scene", "method": "smore", "parameters": parameters, "trials": trials}))
         self.assertEqual(list(plot_results.read(files[:2])[0]), ["smore"])
-        self.assertEqual(list(plot_results.read(files)[0]), ["smore (again)", "smore (bold)", "smore (plain)"])
+        trials = plot_results.read(files)[0]
+        self.assertEqual({name: len(some) for name, some in trials.items()}, {"smore (bold)": 1, "smore (plain)": 2})
+        for name in ("one", "other"):
+            (self.folder / name).mkdir()
+        alike = [shutil.copy(file, self.folder / name / "smore.json") for file, name in zip(files[1:], ("one", "other"))]
+        self.assertEqual(list(plot_results.read(alike)[0]), ["smore (one/smore)", "smore (other/smore)"])
         self.assertEqual(run("plot_results.py", *files, "--output", self.folder / "boxes.png").returncode, 0)
 
     def test_reliability_of_motions(self):

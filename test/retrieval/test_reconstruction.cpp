@@ -97,6 +97,24 @@ TEST(Reconstruct, endsInAnEmptyScene) {
   EXPECT_NE(outcome.reason.find("too few touches"), std::string::npos);
 }
 
+// A planner that is asked to stop says that it has none; that is not why it ended.
+TEST(Reconstruct, saysThatItWasStoppedWhileATouchWasSought) {
+  class Stopped : public TouchPlanner {
+   public:
+    Result<Path> nextTouch(const Pose& /*from*/) override {
+      asked = true;
+      return Failure{"no answer"};
+    }
+    bool asked = false;
+  };
+  ScriptedRobot robot;
+  Stopped touches;
+  const RetrievalOutcome outcome =
+      reconstruct(parameters(2), &robot, &touches, {}, [&] { return touches.asked; });
+  EXPECT_FALSE(outcome.success);
+  EXPECT_EQ(outcome.reason, "stopped by the user");
+}
+
 TEST(Reconstruct, stopsWhenAskedTo) {
   ScriptedRobot robot;
   RandomTouches touches(space(Motion::kPlanar), 1);

@@ -48,6 +48,14 @@ TEST(Conversions, PosesComeBackFromMessagesAndTransforms) {
   }
 }
 
+TEST(Conversions, ACountThatNoIntHoldsIsTheLargestThatOneHolds) {
+  EXPECT_EQ(countOf(0), 0);
+  EXPECT_EQ(countOf(7), 7);
+  for (const std::uint32_t count : {2147483647U, 2147483648U, 4294967295U}) {
+    EXPECT_EQ(countOf(count), 2147483647);
+  }
+}
+
 TEST(Conversions, PosesThatAreNoPosesAreRefused) {
   for (const double bad : {kNan, kInfinity}) {
     geometry_msgs::Pose message = toMessage(Pose::Identity());

@@ -46,4 +46,23 @@ inline std::string ellObj() {
   return prismObj({{1, 1}, {1, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 1}}, 1.0);
 }
 
+inline const Vec3& vertexAt(const MeshShape& mesh, int index) {
+  return mesh.vertices[static_cast<size_t>(index)];
+}
+
+/// Text of an STL file; `digits` of each coordinate.
+inline std::string asciiStl(const MeshShape& mesh, int digits = 17) {
+  std::ostringstream text;
+  text.precision(digits);
+  text << "solid test\n";
+  for (const Eigen::Vector3i& triangle : mesh.triangles) {
+    text << "facet normal 0 0 0\n outer loop\n";
+    for (int corner = 0; corner < 3; ++corner) {
+      text << "  vertex " << vertexAt(mesh, triangle[corner]).transpose() << "\n";
+    }
+    text << " endloop\nendfacet\n";
+  }
+  return text.str() + "endsolid test\n";
+}
+
 }  // namespace smore

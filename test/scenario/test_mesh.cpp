@@ -20,24 +20,6 @@ double distanceTo(const MeshShape& mesh, const Vec3& point) {
   return signedDistance({{mesh, Pose::Identity()}}, point);
 }
 
-const Vec3& vertexAt(const MeshShape& mesh, int index) {
-  return mesh.vertices[static_cast<size_t>(index)];
-}
-
-std::string asciiStl(const MeshShape& mesh, int digits = 17) {
-  std::ostringstream text;
-  text.precision(digits);
-  text << "solid test\n";
-  for (const Eigen::Vector3i& triangle : mesh.triangles) {
-    text << "facet normal 0 0 0\n outer loop\n";
-    for (int corner = 0; corner < 3; ++corner) {
-      text << "  vertex " << vertexAt(mesh, triangle[corner]).transpose() << "\n";
-    }
-    text << " endloop\nendfacet\n";
-  }
-  return text.str() + "endsolid test\n";
-}
-
 template <typename T>
 void append(std::string* bytes, T value) {
   bytes->append(reinterpret_cast<const char*>(&value), sizeof(value));
@@ -165,40 +147,6 @@ TEST_F(MeshTest, mirroredMeshesAreTurnedOutsideOut) {
   const MeshShape cube = load("cube.obj", cubeObj(), Vec3(-2.0, 1.0, 0.5));
   EXPECT_NEAR(signedVolume(cube), 1.0, 1e-12);
   EXPECT_NEAR(distanceTo(cube, Vec3(-1.0, 0.5, 0.25)), -0.25, 1e-12);
-}
-
-TEST_F(MeshTest, aPieceInsideOutIsToldAndAHollowIsNot) {
-  const MeshShape cube = load("cube.obj", cubeObj());
-  const auto moved = [&cube](double size, const Vec3& by, bool outwards) {
-    MeshShape piece = cube;
-    for (Vec3& vertex : piece.vertices) vertex = size * vertex + by;
-    for (Eigen::Vector3i& triangle : piece.triangles) {
-      if (!outwards) std::swap(triangle[1], triangle[2]);
-    }
-    return piece;
-  };
-  const auto joined = [](const std::vector<MeshShape>& pieces) {
-    std::string text;
-    for (const MeshShape& piece : pieces) text += asciiStl(piece);
-    return text;
-  };
-  const MeshShape large = moved(1.0, Vec3::Zero(), true);
-  const MeshShape hollow = moved(0.5, Vec3(0.25, 0.25, 0.25), false);
-  const MeshShape within_hollow = moved(0.125, Vec3(0.4, 0.4, 0.4), true);
-  EXPECT_NEAR(signedVolume(load("nested.stl", joined({large, hollow, within_hollow}))),
-              1.0 - 0.125 + 0.125 * 0.125 * 0.125, 1e-6);
-
-  const Vec3 beside(2.0, 0.0, 0.0);
-  EXPECT_NEAR(signedVolume(load("both.stl", joined({large, moved(0.5, beside, true)}))), 1.125,
-              1e-6);
-  for (const double size : {0.5, 1.5}) {  // the whole volume is positive, and negative
-    const std::string problem = problemOf("piece.stl", joined({large, moved(size, beside, false)}));
-    EXPECT_NE(problem.find("inside out"), std::string::npos) << problem;
-  }
-  // So is what lies in a hollow.
-  EXPECT_NE(problemOf("in.stl", joined({large, hollow, moved(0.125, Vec3(0.4, 0.4, 0.4), false)}))
-                .find("(0.4"),
-            std::string::npos);
 }
 
 TEST_F(MeshTest, tellsConvexFromConcave) {

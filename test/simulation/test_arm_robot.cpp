@@ -10,7 +10,7 @@
 #include "../common/refusal.h"
 #include "arm_scenes.h"
 #include "smore/common/result.h"
-#include "smore/kinematics/arm_motion.h"
+#include "smore/kinematics/arm_model.h"
 
 namespace smore {
 namespace {
@@ -231,25 +231,6 @@ TEST(ArmRobot, TellsOfFingersThatCannotMove) {
   const std::string problem =
       problemOfChangedArm("(name=\"finger_joint\"[^]*?velocity=)\"[^\"]*\"", "$1\"0\"");
   EXPECT_NE(problem.find("finger_joint: an upper limit of 0.8"), std::string::npos) << problem;
-}
-
-TEST(ArmRobot, TellsOfALinkThatTouchesAtTheStart) {
-  Scenario scenario = ballInHand(makePose(Vec3(0.45, 0.1, 0.2)));
-  const ArmMotion motion(armUrdf(RobotKind::kUr5e), armMotionParameters(scenario));
-  const auto q = motion.configurationFor(scenario.start);
-  ASSERT_TRUE(q);
-  const auto& links = motion.model().tree().links();
-  const std::vector<Pose> poses = motion.model().linkPoses(*q);
-  for (size_t i = 0; i < links.size(); ++i) {
-    if (links[i].name != "forearm_link") continue;
-    scenario.environment = {{SphereShape{0.03}, poses[i] * makePose(Vec3(-0.2, 0, 0))}};
-  }
-  ASSERT_EQ(scenario.environment.size(), 1U);
-  const auto robot = makeSimulatedRobot(scenario, 1);
-  robot->advance();
-  ASSERT_TRUE(robot->fault());
-  EXPECT_NE(robot->fault()->reason.find("forearm_link touches the environment"), std::string::npos)
-      << robot->fault()->reason;
 }
 
 // A joint without torque would let the arm fall.

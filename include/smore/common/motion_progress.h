@@ -10,7 +10,7 @@ constexpr double kAtTarget = 2e-3;
 
 enum class MotionStage {
   kUnderWay,
-  kArrived,  ///< it stands at the target
+  kArrived,  ///< it stands at the target; or within 1 cm and 0.05 rad of it when it would be late
   kStalled,  ///< it has stood short of the target for half a second, unpaused
   kLate,     ///< it has taken far more than its time
 };
@@ -38,6 +38,8 @@ class MotionProgress {
   double length() const { return length_; }
 
  private:
+  bool isNearTarget(const Pose& here) const;
+
   double time_;  ///< of the last pose [s]
   Pose target_;
   double duration_;

@@ -12,8 +12,8 @@ namespace smore {
 /// after.
 std::string problemOfFile(const std::string& file, const std::vector<std::string>& inputs = {});
 
-/// The same of a directory for maps, and for directories of maps in it (saveMaps): an octree with
-/// the name of one of theirs that is among the inputs must not lie in it.
+/// The same of a directory for maps (saveMaps), or for directories seed_N of maps: none of the
+/// inputs may be one of them.
 std::string problemOfMapsDirectory(const std::string& directory,
                                    const std::vector<std::string>& inputs);
 

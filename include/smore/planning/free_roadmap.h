@@ -5,8 +5,13 @@
 
 #include "smore/common/geometry.h"
 #include "smore/mapping/free_cells.h"
+#include "smore/scenario/motion_space.h"
 
 namespace smore {
+
+/// The pieces of the tracks that lie in the workspace (MotionSpace::isNearWorkspace): the object
+/// may have been led out of it, or be told of another one.
+std::vector<Path> tracksWithin(const MotionSpace& space, const std::vector<Path>& tracks);
 
 /// Where the object can go without risk: poses that were free, joined along the motions that went
 /// through them and where one motion went through a pose of another, or between two of its own.

@@ -18,6 +18,10 @@ class RiskSpace {
   RiskState toState(const Pose& T_world_object) const;
   Pose toPose(const RiskState& state) const;
   bool contains(const RiskState& state) const;
+  /// Whether the object may have come there (MotionSpace::isNearWorkspace).
+  bool isNearWorkspace(const RiskState& state) const {
+    return space_.isNearWorkspace(toPose(state));
+  }
 
   /// Uniform over the workspace and all rotations of the motion.
   RiskState sample(CounterRandom* random) const;

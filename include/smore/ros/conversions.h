@@ -9,6 +9,7 @@
 #include <sensor_msgs/JointState.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -56,5 +57,8 @@ JointTrajectory fromMessage(const trajectory_msgs::JointTrajectory& message);
 /// other joints (a gripper's) may be among them.
 Result<std::vector<double>> fromMessage(const sensor_msgs::JointState& message,
                                         const std::vector<std::string>& names);
+
+/// A count of a message, or the largest that an int holds: whoever asks for no limit asks for more.
+int countOf(std::uint32_t count);
 
 }  // namespace smore

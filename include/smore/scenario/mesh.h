@@ -18,8 +18,8 @@ constexpr double kLargestHeld = 10.0;
 /// Reads an STL, OBJ, PLY or DAE file, each vertex multiplied by `scale`. Equal vertices are joined
 /// and triangles are turned so that they are counter-clockwise from outside. InputError with file
 /// and remedy: unreadable, another format, values that are not finite, more than `largest` [m]
-/// large or from its own origin, a surface that is not closed or not consistently turned (each of its
-/// pieces as well, but for hollows), no volume.
+/// large or from its own origin, a surface that is not closed or not consistently turned (each of
+/// its pieces as well, but for hollows), no volume.
 MeshShape loadMesh(const std::string& file, const Vec3& scale, double largest = kLargestScene);
 
 /// What a convex mesh may lie below its hull, in diagonals of its bounding box: what files round

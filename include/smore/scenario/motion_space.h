@@ -36,6 +36,10 @@ struct MotionSpace {
   /// coordinates of a tilted plane.
   bool inWorkspace(const Pose& T_world_object) const;
 
+  /// Whether the origin is in the workspace or within 1 cm of it: an arm that was sent to its edge
+  /// is never quite there.
+  bool isNearWorkspace(const Pose& T_world_object) const;
+
   /// Whether the pose of an arm lies too far from the plane of planar motion to count as in it
   /// (isNearPlane).
   bool isBeside(const Pose& T_world_object) const;
