@@ -135,7 +135,8 @@ MeshShape loadMesh(const std::string& file, const Vec3& scale, double largest) {
   if (const auto vertex = pieceInsideOut(mesh, least)) {
     std::ostringstream problem;
     problem << file << ": the piece with a vertex at (" << vertex->x() << ", " << vertex->y()
-            << ", " << vertex->z() << ") m is turned the other way than the rest: one of them is inside "
+            << ", " << vertex->z()
+            << ") m is turned the other way than the rest: one of them is inside "
             << "out; make all normals point outwards";
     throw InputError(problem.str());
   }

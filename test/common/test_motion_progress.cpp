@@ -63,7 +63,9 @@ TEST(MotionProgress, hasEndedWhereTheRobotStandsNearTheTargetToTheLast) {
     MotionStage stage = MotionStage::kUnderWay;
     for (int i = 1; kPeriod * i < 11.1; ++i) {
       stage = progress.update(kPeriod * i, at(std::min(0.05 * kPeriod * i, 0.1 - short_of)), 1.0);
-      if (kPeriod * i > 2.5 && kPeriod * i < 10.9) ASSERT_EQ(stage, MotionStage::kStalled);
+      if (kPeriod * i > 2.5 && kPeriod * i < 10.9) {
+        ASSERT_EQ(stage, MotionStage::kStalled);
+      }
     }
     EXPECT_EQ(stage, short_of < 0.01 ? MotionStage::kArrived : MotionStage::kLate);
   }
