@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "smore/experiment/output_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -40,13 +41,12 @@ std::string problemOfFile(const std::string& file, const std::vector<std::string
 
 std::string problemOfMapsDirectory(const std::string& directory,
                                    const std::vector<std::string>& inputs) {
-  for (const std::string& input : inputs) {
-    if (isMapOf(directory, input)) {
-      return directory + ": " + input +
-             " is read as well, and would be written over; give another directory";
-    }
-  }
-  return problemOfDirectory(directory);
+  const auto input = std::find_if(inputs.begin(), inputs.end(), [&](const std::string& file) {
+    return isMapOf(directory, file);
+  });
+  if (input == inputs.end()) return problemOfDirectory(directory);
+  return directory + ": " + *input +
+         " is read as well, and would be written over; give another directory";
 }
 
 }  // namespace smore

@@ -2,6 +2,7 @@
 #include "mesh_pieces.h"
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <cmath>
 #include <unordered_map>
 #include <vector>
 
