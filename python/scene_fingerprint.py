@@ -7,11 +7,11 @@ further files. What cannot be read adds nothing: the program says so.
 
 A scene is a name in config/scenarios or the path of a file.
 """
-import hashlib
 import pathlib
 import sys
 
 import yaml
+from file_hash import file_hash
 
 SCENARIOS = pathlib.Path(__file__).resolve().parent.parent / "config/scenarios"
 
@@ -45,11 +45,7 @@ def scene_fingerprint(name_or_path, files=()):
     """A hash of all that a scene and further files hold."""
     shipped = SCENARIOS / f"{name_or_path}.yaml"
     scene = shipped if is_file(shipped) else pathlib.Path(name_or_path)
-    whole = hashlib.sha1()
-    for file in (scene, *named_in(scene), *map(pathlib.Path, files)):
-        if is_file(file):
-            whole.update(hashlib.sha1(file.read_bytes()).digest())
-    return whole.hexdigest()
+    return file_hash(file for file in (scene, *named_in(scene), *map(pathlib.Path, files)) if is_file(file))
 
 
 if __name__ == "__main__":

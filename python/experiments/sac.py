@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Soft Actor-Critic as one more method: its trials run in a Python of their own (experiments/learning.py)."""
 import dataclasses
-import hashlib
 
 import matplotlib
 
@@ -10,7 +9,7 @@ import matplotlib.pyplot as plt
 
 from experiments import learning
 from experiments.trials import ROOT, Trial
-from program_fingerprint import fingerprint
+from file_hash import file_hash
 
 WHAT = "Soft Actor-Critic, published hyperparameters (figure7 only; first scripts/experiments --setup)"
 PROGRAM = ROOT / "python/smore_gym/train_sac.py"
@@ -30,9 +29,8 @@ class SacTrial(Trial):
 
     def settings(self, directory, build):
         """Of the environment, what learns in it and the packages as well."""
-        files = (*sorted(PROGRAM.parent.glob("*.py")), learning.PACKAGES)
-        learner = [hashlib.sha1(file.read_bytes()).hexdigest() for file in files]
-        learner += [fingerprint(module) for module in sorted(MODULES.glob("smore_simulator*.so"))]
+        modules = sorted(MODULES.glob("smore_simulator*.so"))
+        learner = file_hash((*sorted(PROGRAM.parent.glob("*.py")), learning.PACKAGES, *modules))
         return {**super().settings(directory, build), "learner": learner}
 
 

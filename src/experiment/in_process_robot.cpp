@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "smore/common/elapsed_time.h"
+#include "smore/common/result.h"
 #include "smore/common/retreat.h"
 
 namespace smore {
@@ -38,6 +39,12 @@ ContactSensingParameters sensingParameters(const Scenario& scenario) {
   return parameters;
 }
 
+void requireNoFaultAtStart(const SimulatedRobot& robot) {
+  const auto fault = robot.fault();
+  if (!fault) return;
+  throw InputError(fault->reason + " at the start; change the scenario or the arm's description");
+}
+
 InProcessRobot::InProcessRobot(SimulatedRobot* robot, const ContactSensingParameters& sensing,
                                std::uint64_t seed, ObservationCallback on_observation)
     : robot_(robot), sensing_(sensing, seed), on_observation_(std::move(on_observation)) {
@@ -51,10 +58,7 @@ InProcessRobot::InProcessRobot(SimulatedRobot* robot, const ContactSensingParame
     }
   }
   if (!waitUntilFree()) throw std::runtime_error("the sensor feels a force at the start pose");
-  if (const auto stopped = robot_->fault()) {
-    throw std::runtime_error(stopped->reason +
-                             " at the start; change the scenario or the arm's description");
-  }
+  requireNoFaultAtStart(*robot_);
 }
 
 MotionResult InProcessRobot::follow(const Path& path) {

@@ -14,6 +14,7 @@
 #include "smore/common/result.h"
 #include "smore/experiment/command_line.h"
 #include "smore/experiment/experiment.h"
+#include "smore/experiment/in_process_robot.h"
 #include "smore/experiment/output_file.h"
 #include "smore/experiment/program_main.h"
 #include "smore/experiment/progress_display.h"
@@ -140,10 +141,7 @@ int exitCode(const std::vector<smore::TrialResult>& trials) {
 std::vector<std::string> inputsOf(const Arguments& arguments, const std::string& scenario_file,
                                   const smore::Scenario& scenario) {
   std::vector<std::string> inputs = smore::filesOf(scenario);
-  for (const std::string& file :
-       {scenario_file, arguments.method_parameters, arguments.touch_poses}) {
-    inputs.push_back(file);
-  }
+  inputs.insert(inputs.end(), {scenario_file, arguments.method_parameters, arguments.touch_poses});
   return inputs;
 }
 
@@ -171,10 +169,7 @@ void checkTouches(const Arguments& arguments, smore::Task task) {
 void checkSimulation(const smore::Scenario& scenario, std::uint64_t seed) {
   const auto robot = smore::makeSimulatedRobot(scenario, seed);
   robot->advance();
-  if (const auto fault = robot->fault()) {
-    throw smore::InputError("scenario " + scenario.name + ": " + fault->reason +
-                            " at the start; change the scenario or the arm's description");
-  }
+  smore::requireNoFaultAtStart(*robot);
 }
 
 int run(Arguments arguments) {

@@ -146,8 +146,7 @@ MeshShape loadMesh(const std::string& file, const Vec3& scale, double largest) {
 double signedVolume(const MeshShape& mesh) {
   double volume = 0.0;
   for (const Eigen::Vector3i& triangle : mesh.triangles) {
-    const TriangleCorners corners = cornersOf(mesh, triangle);
-    volume += corners[0].dot(corners[1].cross(corners[2])) / 6.0;
+    volume += signedVolume(cornersOf(mesh, triangle));
   }
   return volume;
 }

@@ -12,7 +12,7 @@ namespace smore {
 namespace {
 
 struct Piece {
-  double volume = 0.0;  ///< by the divergence theorem, negative for clockwise triangles [m^3]
+  double volume = 0.0;  ///< negative for triangles that are clockwise from outside [m^3]
   double largest_area = -1.0;
   TriangleCorners largest;  ///< its largest triangle
 };
@@ -30,7 +30,7 @@ std::unordered_map<int, Piece> piecesOf(const MeshShape& mesh) {
   for (const Eigen::Vector3i& triangle : mesh.triangles) {
     Piece& piece = pieces[sets.find_set(triangle[0])];
     const TriangleCorners corners = cornersOf(mesh, triangle);
-    piece.volume += corners[0].dot(corners[1].cross(corners[2])) / 6.0;
+    piece.volume += signedVolume(corners);
     const double area = areaVector(corners).norm();
     if (area <= piece.largest_area) continue;
     piece.largest_area = area;

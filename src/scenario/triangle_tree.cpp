@@ -118,6 +118,10 @@ Vec3 areaVector(const TriangleCorners& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 
+double signedVolume(const TriangleCorners& corners) {
+  return corners[0].dot(corners[1].cross(corners[2])) / 6.0;
+}
+
 TriangleTree::TriangleTree(const MeshShape& mesh) {
   std::vector<Box> boxes;
   for (const Eigen::Vector3i& triangle : mesh.triangles) {

@@ -17,6 +17,10 @@ TriangleCorners cornersOf(const MeshShape& mesh, const Eigen::Vector3i& triangle
 /// The normal of a triangle, as long as twice its area.
 Vec3 areaVector(const TriangleCorners& corners);
 
+/// Volume between a triangle and the origin, negative where it is clockwise from beyond; over a
+/// closed surface these add up to the enclosed volume (divergence theorem).
+double signedVolume(const TriangleCorners& corners);
+
 /// The triangles of a mesh in a tree of boxes: what it is asked takes a time that grows with the
 /// logarithm of their number.
 class TriangleTree {

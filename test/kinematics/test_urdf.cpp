@@ -217,9 +217,7 @@ TEST(Urdf, aJointOfTheArmThatMimicsAnotherIsRefused) {
     changed.insert(at + own.size(), "<mimic joint=\"" + other + "\"/>");
     const UrdfModel urdf = parseUrdf(changed, "my_arm.urdf");
     const std::string problem = refusalOf([&] { return ArmModel(urdf); });
-    const bool told = problem.find("wrist_3_joint: mimics " + other) != std::string::npos ||
-                      problem.find("there are 5 moving joints") != std::string::npos;
-    EXPECT_TRUE(told) << problem;
+    EXPECT_NE(problem.find("wrist_3_joint: mimics " + other), std::string::npos) << problem;
   }
 }
 

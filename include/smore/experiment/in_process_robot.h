@@ -11,6 +11,10 @@
 
 namespace smore {
 
+/// InputError where a robot that has begun to advance has a fault already (a link that touches, a
+/// joint that does not hold itself): such a one would end no motion later.
+void requireNoFaultAtStart(const SimulatedRobot& robot);
+
 /// The contact sensing of a scenario's trials: its thresholds, and the noise that it declares.
 ContactSensingParameters sensingParameters(const Scenario& scenario);
 
