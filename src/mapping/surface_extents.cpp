@@ -8,6 +8,7 @@
 
 #include "smore/common/parallel_for.h"
 #include "smore/mapping/counter_random.h"
+#include "smore/mapping/filled_balls.h"
 #include "smore/mapping/joined_touches.h"
 
 namespace smore {
@@ -17,6 +18,10 @@ namespace {
 // between them.
 constexpr double kPlanarStep = 0.5;
 constexpr double kSpatialStep = 0.8;
+
+// Cells of the lattice of points from one to the next behind the object's touches in space: with
+// two, balls around them leave nothing out; with twice as many no surface passes between them.
+constexpr float kFilledCells = 2.0F;
 
 // Of a force from the normal, about each of two axes [rad]: 0.29 rad, the edge of the cone of
 // friction with a coefficient of .3, in any direction. The coefficient is our choice.
@@ -37,6 +42,12 @@ double sizeOf(int hypothesis, double shortest, double longest) {
 int secondOrder(int hypothesis) { return (37 * hypothesis + 11) % kHypotheses; }
 int thirdOrder(int hypothesis) { return (23 * hypothesis + 5) % kHypotheses; }
 
+// As deep as the matter straight behind the touch.
+TouchedBall ballBehind(const SurfacePatch& patch, HypothesisMask mask) {
+  const float radius = 0.5F * static_cast<float>(patch.depth) * patch.step;
+  return {patch.center, patch.center - radius * patch.normal, radius, mask};
+}
+
 }  // namespace
 
 SurfaceExtents::SurfaceExtents(const WorldSamples& samples, const FeatureParameters& feature,
@@ -47,6 +58,7 @@ SurfaceExtents::SurfaceExtents(const WorldSamples& samples, const FeatureParamet
       planar_(planar),
       seed_(seed),
       object_(latticeCell(feature)),
+      outer_object_(latticeCell(feature)),
       world_(latticeCell(feature)) {
   addTouches();
   grow(MapSide::kObject);
@@ -82,11 +94,13 @@ std::vector<SurfaceExtents::Touch> SurfaceExtents::touches(MapSide side, int hyp
 void SurfaceExtents::grow(MapSide side) {
   const std::vector<ForbiddenMatter> forbidden = forbiddenFor(side);
   std::array<std::vector<Eigen::Vector3f>, kHypotheses> grown;
+  TouchedByHypothesis touched;
   parallelFor(kHypotheses, [&](std::size_t i) {
     const int m = static_cast<int>(i);
     const MatterAllowed allowed = allowedFor(side, m, forbidden, Known::kIsNotTouched);
     const MatterAllowed behind = allowedFor(side, m, forbidden, Known::kMatterGoesOn);
-    grown[m] = patches(side, m, allowed, behind);
+    touched[m] = touchedPatches(side, m, behind);
+    grown[m] = patches(side, m, touched[m], allowed);
     if (side == MapSide::kObject) {
       const std::vector<Eigen::Vector3f> joints = joined(m, allowed);
       grown[m].insert(grown[m].end(), joints.begin(), joints.end());
@@ -96,6 +110,25 @@ void SurfaceExtents::grow(MapSide side) {
   for (int m = 0; m < kHypotheses; ++m) {
     for (const Eigen::Vector3f& point : grown[m]) matter.add(point, HypothesisMask{1} << m);
   }
+  if (side == MapSide::kObject) fillObject(touched, forbidden);
+}
+
+void SurfaceExtents::fillObject(const TouchedByHypothesis& touched,
+                                const std::vector<ForbiddenMatter>& forbidden) {
+  outer_object_ = object_;
+  if (planar_) return;
+  std::vector<TouchedBall> balls;
+  for (int m = 0; m < kHypotheses; ++m) {
+    for (const TouchedPatch& at : touched[m]) {
+      balls.push_back(ballBehind(at.patch, HypothesisMask{1} << m));
+    }
+  }
+  const FilledPoints filled =
+      fillBalls(balls, kFilledCells * latticeCell(feature_), [&](const Eigen::Vector3f& point) {
+        return forbiddenAt(MapSide::kObject, point, forbidden, Known::kIsNotTouched);
+      });
+  for (const MaskedPoint& ball : filled.all) object_.add(ball.point, ball.mask);
+  for (const MaskedPoint& ball : filled.outer) outer_object_.add(ball.point, ball.mask);
 }
 
 // By touched matter of the other side, and by what is known of it beforehand.
@@ -118,21 +151,23 @@ std::vector<ForbiddenMatter> SurfaceExtents::forbiddenFor(MapSide side) const {
   return forbidden;
 }
 
+HypothesisMask SurfaceExtents::forbiddenAt(MapSide side, const Eigen::Vector3f& point,
+                                           const std::vector<ForbiddenMatter>& forbidden,
+                                           Known known) const {
+  const auto reach = static_cast<float>(feature_.reach);
+  if (side == MapSide::kObject && point.norm() > reach) return ~HypothesisMask{0};
+  HypothesisMask result = known == Known::kMatterGoesOn ? samples_.prior.knowingFree(side, point)
+                                                        : samples_.prior.knowing(side, point);
+  for (const ForbiddenMatter& matter : forbidden) result |= matter.at(point);
+  return result;
+}
+
 MatterAllowed SurfaceExtents::allowedFor(MapSide side, int hypothesis,
                                          const std::vector<ForbiddenMatter>& forbidden,
                                          Known known) const {
   const HypothesisMask bit = HypothesisMask{1} << hypothesis;
-  const bool on_object = side == MapSide::kObject;
-  const auto reach = static_cast<float>(feature_.reach);
-  return [this, &forbidden, known, side, bit, on_object, reach](const Eigen::Vector3f& point) {
-    if (on_object && point.norm() > reach) return false;
-    const HypothesisMask refused = known == Known::kMatterGoesOn
-                                       ? samples_.prior.knowingFree(side, point)
-                                       : samples_.prior.knowing(side, point);
-    if ((refused & bit) != 0) return false;
-    return std::all_of(forbidden.begin(), forbidden.end(), [&](const ForbiddenMatter& matter) {
-      return (matter.at(point) & bit) == 0;
-    });
+  return [this, &forbidden, known, side, bit](const Eigen::Vector3f& point) {
+    return (forbiddenAt(side, point, forbidden, known) & bit) == 0;
   };
 }
 
@@ -168,8 +203,8 @@ std::vector<TouchedPoint> SurfaceExtents::touchedPoints(MapSide side,
 
 // In space the world's surfaces lie as touches on the same surface say, but not the object's, which
 // is touched at corners there. In planar motion it has not been tried.
-std::vector<SurfaceExtents::TouchedPatch> SurfaceExtents::touchedPatches(MapSide side,
-                                                                         int hypothesis) const {
+std::vector<SurfaceExtents::TouchedPatch> SurfaceExtents::touchedPatches(
+    MapSide side, int hypothesis, const MatterAllowed& behind) const {
   const std::vector<Touch> those = touches(side, hypothesis);
   const std::vector<TouchedPoint> points = touchedPoints(side, those);
   const bool turns = !planar_ && side == MapSide::kWorld;
@@ -187,6 +222,8 @@ std::vector<SurfaceExtents::TouchedPatch> SurfaceExtents::touchedPatches(MapSide
     patch.normal = turns ? turned[k] : points[k].normal;
     result.push_back({those[k].contact->id, patch});
   }
+  const int depth = side == MapSide::kObject ? objectDepth(hypothesis, result, behind) : 0;
+  for (TouchedPatch& at : result) at.patch.depth = depth;
   return result;
 }
 
@@ -202,14 +239,11 @@ int SurfaceExtents::objectDepth(int hypothesis, const std::vector<TouchedPatch>&
 }
 
 std::vector<Eigen::Vector3f> SurfaceExtents::patches(MapSide side, int hypothesis,
-                                                     const MatterAllowed& allowed,
-                                                     const MatterAllowed& behind) const {
+                                                     const std::vector<TouchedPatch>& touched,
+                                                     const MatterAllowed& allowed) const {
   const bool on_object = side == MapSide::kObject;
-  const std::vector<TouchedPatch> touched = touchedPatches(side, hypothesis);
-  const int depth = on_object ? objectDepth(hypothesis, touched, behind) : 0;
   std::vector<Eigen::Vector3f> result;
-  for (TouchedPatch at : touched) {
-    at.patch.depth = depth;
+  for (const TouchedPatch& at : touched) {
     CounterRandom random(mixBits(at.id, mixBits(seed_, 2 * hypothesis + (on_object ? 1 : 0))));
     const std::vector<Eigen::Vector3f> points = growPatch(at.patch, planar_, allowed, &random);
     result.insert(result.end(), points.begin(), points.end());

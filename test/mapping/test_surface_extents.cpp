@@ -23,8 +23,12 @@ bool joinsPastAnObstacleAt(const Vec3& obstacle) {
   const Vec3 left(-0.15, 0.0, 0.03);
   const Vec3 right(0.15, 0.0, 0.03);
   const Vec3 far(2.0, 2.0, 2.0);
-  const std::vector<ContactHypotheses> contacts = {
-      contactAt(left, far, 1), contactAt(right, far, 2), contactAt(left, obstacle, 3)};
+  std::vector<ContactHypotheses> contacts = {contactAt(left, far, 1), contactAt(right, far, 2),
+                                             contactAt(left, obstacle, 3)};
+  // What lies behind each touch lies away from the other.
+  contacts[0].object_normal.set(0, -Vec3::UnitX());
+  contacts[1].object_normal.set(0, Vec3::UnitX());
+  contacts[2].object_normal.set(0, -Vec3::UnitX());
   const std::vector<Explanation> explanations(kHypotheses, Explanation(contacts.size(), 0));
   const BelievedPrior nothing_known;
   const SurfaceExtents surfaces(
@@ -139,6 +143,27 @@ TEST(SurfaceExtents, GoOnBehindAllTouchesAsDeepAsFreeSpaceAllowsBehindEach) {
   for (const bool planar : {true, false}) {
     EXPECT_NEAR(worldsOfDepth(3.0, planar), deeper, 4.0) << planar;
     EXPECT_EQ(worldsOfDepth(0.1, planar), 0) << "the object is thinner than that elsewhere";
+  }
+}
+
+// In space matter fills the ball that touches the surface there and is as deep as the object: a
+// point at x behind the touch and y beside that lies in those of at least (x^2 + y^2) / x.
+TEST(SurfaceExtents, FillBallsBehindTouchesInSpace) {
+  const JointBeliefParameters lengths = atADecimetre();
+  const FreeSpaceEvidence no_evidence(lengths.free_space, lengths.feature.conflictDistance());
+  std::vector<ContactHypotheses> contacts = {contactAt(Vec3::Zero(), {5.0, 5.0, 0.0}, 1)};
+  contacts[0].object_normal.set(0, Vec3::UnitX());
+  const std::vector<MaskedPoint> object = objectOf(contacts, no_evidence, false);
+  const double range = std::log(lengths.extent.object_longest / lengths.extent.shortest);
+  for (const Vec3& inside : {Vec3(0.15, 0.1, 0.0), Vec3(0.15, 0.0, -0.1), Vec3(0.3, 0.1, 0.0)}) {
+    HypothesisMask worlds = 0;
+    for (const MaskedPoint& ball : object) {
+      const double distance = (ball.point.cast<double>() - inside).norm();
+      if (distance < lengths.feature.radius) worlds |= ball.mask;
+    }
+    const double depth = inside.squaredNorm() / inside.x();
+    const double deeper = std::log(lengths.extent.object_longest / depth) / range * kHypotheses;
+    EXPECT_NEAR(__builtin_popcountll(worlds), deeper, 4.0) << inside.transpose();
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "smore/mapping/forbidden_matter.h"
@@ -22,15 +23,18 @@ namespace smore {
 ///
 /// The object is in one piece, as what is held in one hand is: its touches are joined, and rings
 /// closed as far as its surfaces go on. Its matter also goes on behind its surface, to one depth
-/// for all of it, spread like the sizes. The object is as thick as where it is thinnest: where free
-/// space ends the matter straight behind any of its touches sooner, that is the depth behind all of
-/// them.
+/// for all of it, spread like the sizes: in planar motion behind all of each patch, in space in the
+/// ball of that diameter that touches the surface there. The object is as thick as where it is
+/// thinnest: where free space ends the matter straight behind any of its touches sooner, that is
+/// the depth behind all of them.
 class SurfaceExtents {
  public:
   SurfaceExtents(const WorldSamples& samples, const FeatureParameters& feature,
                  const ExtentParameters& extent, bool planar, std::uint64_t seed);
 
   const std::vector<MaskedPoint>& object() const { return object_.points(); }
+  /// As much of the object as tells whether it touches: not what lies in the middle of it.
+  const std::vector<MaskedPoint>& outerObject() const { return outer_object_.points(); }
   const std::vector<MaskedPoint>& world() const { return world_.points(); }
 
  private:
@@ -48,19 +52,28 @@ class SurfaceExtents {
     kIsNotTouched,  ///< what is known beforehand, matter or nothing, is not claimed once more
     kMatterGoesOn,  ///< known matter is matter
   };
+  /// The hypotheses in which no matter of that side may be centred at a point.
+  HypothesisMask forbiddenAt(MapSide side, const Eigen::Vector3f& point,
+                             const std::vector<ForbiddenMatter>& forbidden, Known known) const;
   MatterAllowed allowedFor(MapSide side, int hypothesis,
                            const std::vector<ForbiddenMatter>& forbidden, Known known) const;
   struct TouchedPatch {
     std::uint64_t id;  ///< of its contact
     SurfacePatch patch;
   };
+  using TouchedByHypothesis = std::array<std::vector<TouchedPatch>, kHypotheses>;
+  /// In space, matter in the balls behind the object's touches.
+  void fillObject(const TouchedByHypothesis& touched,
+                  const std::vector<ForbiddenMatter>& forbidden);
   std::vector<TouchedPoint> touchedPoints(MapSide side, const std::vector<Touch>& touches) const;
-  std::vector<TouchedPatch> touchedPatches(MapSide side, int hypothesis) const;
+  std::vector<TouchedPatch> touchedPatches(MapSide side, int hypothesis,
+                                           const MatterAllowed& behind) const;
   /// How deep the object is behind all of its touches [steps].
   int objectDepth(int hypothesis, const std::vector<TouchedPatch>& touched,
                   const MatterAllowed& behind) const;
-  std::vector<Eigen::Vector3f> patches(MapSide side, int hypothesis, const MatterAllowed& allowed,
-                                       const MatterAllowed& behind) const;
+  std::vector<Eigen::Vector3f> patches(MapSide side, int hypothesis,
+                                       const std::vector<TouchedPatch>& touched,
+                                       const MatterAllowed& allowed) const;
   std::vector<Eigen::Vector3f> joined(int hypothesis, const MatterAllowed& allowed) const;
   /// Whether its patches are more than points.
   bool goesOnAlong(MapSide side) const;
@@ -76,6 +89,7 @@ class SurfaceExtents {
   bool planar_;
   std::uint64_t seed_;
   MaskedPoints object_;
+  MaskedPoints outer_object_;
   MaskedPoints world_;
 };
 

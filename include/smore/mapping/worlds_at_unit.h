@@ -97,6 +97,7 @@ class WorldsAtUnit {
   UnknownPlaces unknown_;
   std::vector<TouchingPose> touching_poses_;
   std::vector<MaskedPoint> object_;
+  std::vector<MaskedPoint> outer_object_;  ///< what touches are looked up in
   std::vector<MaskedPoint> world_;
   std::vector<KnownBalls> known_object_;
   std::vector<KnownBalls> known_world_;

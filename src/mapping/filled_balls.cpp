@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smore/mapping/filled_balls.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "smore/common/parallel_for.h"
+
+namespace smore {
+namespace {
+
+using Cell = MaskBricks::Cell;
+
+Eigen::Vector3f placeOf(const Cell& cell, float step) {
+  return step * Eigen::Array3i::Map(cell.data()).cast<float>().matrix();
+}
+
+// The lowest of the eight points of the lattice around a place.
+Cell cellBelow(const Eigen::Vector3f& place, float step) {
+  const Eigen::Array3i below = (place / step).array().floor().cast<int>();
+  return {below.x(), below.y(), below.z()};
+}
+
+// The six cells beside one, or those `steps` beside it.
+std::array<Cell, 6> neighboursOf(const Cell& cell, int steps = 1) {
+  std::array<Cell, 6> result;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = cell;
+    result[i][i / 2] += i % 2 == 0 ? steps : -steps;
+  }
+  return result;
+}
+
+HypothesisMask maskAt(const MaskBricks& masks, const Cell& cell) {
+  return masks.at(cell[0], cell[1], cell[2]);
+}
+
+void mark(const Cell& cell, HypothesisMask mask, MaskBricks* masks) {
+  masks->mark(cell[0], cell[1], cell[2], mask);
+}
+
+// Calls visit(cell, mask) for each marked cell of the brick from `lowest` on.
+template <typename Visit>
+void forMarked(const MaskBricks& masks, const Cell& lowest, const Visit& visit) {
+  for (int z = 0; z < masks.layers(); ++z) {
+    for (int y = 0; y < MaskBricks::kSide; ++y) {
+      for (int x = 0; x < MaskBricks::kSide; ++x) {
+        const Cell cell{lowest[0] + x, lowest[1] + y, lowest[2] + z};
+        const HypothesisMask mask = maskAt(masks, cell);
+        if (mask != 0) visit(cell, mask);
+      }
+    }
+  }
+}
+
+void markWithin(const TouchedBall& ball, float step, MaskBricks* within) {
+  const Cell low = cellBelow(ball.center.array() - ball.radius, step);
+  const Cell high = cellBelow(ball.center.array() + ball.radius, step);
+  for (int z = low[2]; z <= high[2]; ++z) {
+    for (int y = low[1]; y <= high[1]; ++y) {
+      for (int x = low[0]; x <= high[0]; ++x) {
+        const float distance = (placeOf({x, y, z}, step) - ball.center).norm();
+        if (distance <= ball.radius) within->mark(x, y, z, ball.mask);
+      }
+    }
+  }
+}
+
+// On all processor cores.
+MaskBricks allowedWithin(const MaskBricks& within, float step, const ForbiddenAt& forbidden) {
+  std::vector<MaskBricks> parts(within.bricks().size());
+  parallelFor(parts.size(), [&](std::size_t i) {
+    forMarked(within, within.bricks()[i], [&](const Cell& cell, HypothesisMask mask) {
+      mark(cell, mask & ~forbidden(placeOf(cell, step)), &parts[i]);
+    });
+  });
+  MaskBricks result;
+  result.add(parts);
+  return result;
+}
+
+// Masks that spread from cell to cell, as far as these are open, each bit by itself.
+class Flood {
+ public:
+  explicit Flood(const MaskBricks& open) : open_(open) {}
+
+  void enter(const Cell& cell, HypothesisMask mask) {
+    const HypothesisMask fresh = mask & maskAt(open_, cell) & ~maskAt(reached_, cell);
+    if (fresh == 0) return;
+    mark(cell, fresh, &reached_);
+    entered_.emplace_back(cell, fresh);
+  }
+
+  void spread() {
+    while (!entered_.empty()) {
+      const auto [cell, mask] = entered_.back();
+      entered_.pop_back();
+      for (const Cell& next : neighboursOf(cell)) enter(next, mask);
+    }
+  }
+
+  const MaskBricks& reached() const { return reached_; }
+
+ private:
+  const MaskBricks& open_;
+  MaskBricks reached_;
+  std::vector<std::pair<Cell, HypothesisMask>> entered_;
+};
+
+// What of a cell's matter tells whether it touches; every second point of the lattice does.
+HypothesisMask outerAt(const MaskBricks& filled, const Cell& cell) {
+  constexpr int kEvery = 2;
+  for (const int coordinate : cell) {
+    if (coordinate % kEvery != 0) return 0;
+  }
+  HypothesisMask surrounded = ~HypothesisMask{0};
+  for (const Cell& next : neighboursOf(cell, kEvery)) surrounded &= maskAt(filled, next);
+  return maskAt(filled, cell) & ~surrounded;
+}
+
+FilledPoints pointsOf(const MaskBricks& filled, float step) {
+  FilledPoints points;
+  for (const Cell& lowest : filled.bricks()) {
+    forMarked(filled, lowest, [&](const Cell& cell, HypothesisMask mask) {
+      points.all.push_back({placeOf(cell, step), mask});
+      const HypothesisMask outer = outerAt(filled, cell);
+      if (outer != 0) points.outer.push_back({placeOf(cell, step), outer});
+    });
+  }
+  return points;
+}
+
+}  // namespace
+
+FilledPoints fillBalls(const std::vector<TouchedBall>& balls, float step,
+                       const ForbiddenAt& forbidden) {
+  MaskBricks within;
+  for (const TouchedBall& ball : balls) markWithin(ball, step, &within);
+  const MaskBricks open = allowedWithin(within, step, forbidden);
+  Flood flood(open);
+  for (const TouchedBall& ball : balls) {
+    const auto [x, y, z] = cellBelow(ball.touch, step);
+    for (int corner = 0; corner < 8; ++corner) {
+      flood.enter({x + corner % 2, y + corner / 2 % 2, z + corner / 4}, ball.mask);
+    }
+  }
+  flood.spread();
+  return pointsOf(flood.reached(), step);
+}
+
+}  // namespace smore
