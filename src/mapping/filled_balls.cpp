@@ -22,14 +22,10 @@ Cell cellBelow(const Eigen::Vector3f& place, float step) {
   return {below.x(), below.y(), below.z()};
 }
 
-// The six cells beside one, or those `steps` beside it.
-std::array<Cell, 6> neighboursOf(const Cell& cell, int steps = 1) {
-  std::array<Cell, 6> result;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = cell;
-    result[i][i / 2] += i % 2 == 0 ? steps : -steps;
-  }
-  return result;
+std::array<Cell, 6> neighboursOf(const Cell& cell) {
+  const auto [x, y, z] = cell;
+  return {
+      {{x - 1, y, z}, {x + 1, y, z}, {x, y - 1, z}, {x, y + 1, z}, {x, y, z - 1}, {x, y, z + 1}}};
 }
 
 HypothesisMask maskAt(const MaskBricks& masks, const Cell& cell) {
@@ -108,24 +104,13 @@ class Flood {
   std::vector<std::pair<Cell, HypothesisMask>> entered_;
 };
 
-// What of a cell's matter tells whether it touches; every second point of the lattice does.
-HypothesisMask outerAt(const MaskBricks& filled, const Cell& cell) {
-  constexpr int kEvery = 2;
-  for (const int coordinate : cell) {
-    if (coordinate % kEvery != 0) return 0;
-  }
-  HypothesisMask surrounded = ~HypothesisMask{0};
-  for (const Cell& next : neighboursOf(cell, kEvery)) surrounded &= maskAt(filled, next);
-  return maskAt(filled, cell) & ~surrounded;
-}
-
 FilledPoints pointsOf(const MaskBricks& filled, float step) {
   FilledPoints points;
   for (const Cell& lowest : filled.bricks()) {
     forMarked(filled, lowest, [&](const Cell& cell, HypothesisMask mask) {
       points.all.push_back({placeOf(cell, step), mask});
-      const HypothesisMask outer = outerAt(filled, cell);
-      if (outer != 0) points.outer.push_back({placeOf(cell, step), outer});
+      const bool is_second = ((cell[0] | cell[1] | cell[2]) & 1) == 0;
+      if (is_second) points.sparse.push_back(points.all.back());
     });
   }
   return points;

@@ -58,7 +58,7 @@ SurfaceExtents::SurfaceExtents(const WorldSamples& samples, const FeatureParamet
       planar_(planar),
       seed_(seed),
       object_(latticeCell(feature)),
-      outer_object_(latticeCell(feature)),
+      sparse_object_(latticeCell(feature)),
       world_(latticeCell(feature)) {
   addTouches();
   grow(MapSide::kObject);
@@ -115,7 +115,7 @@ void SurfaceExtents::grow(MapSide side) {
 
 void SurfaceExtents::fillObject(const TouchedByHypothesis& touched,
                                 const std::vector<ForbiddenMatter>& forbidden) {
-  outer_object_ = object_;
+  sparse_object_ = object_;
   if (planar_) return;
   std::vector<TouchedBall> balls;
   for (int m = 0; m < kHypotheses; ++m) {
@@ -128,7 +128,7 @@ void SurfaceExtents::fillObject(const TouchedByHypothesis& touched,
         return forbiddenAt(MapSide::kObject, point, forbidden, Known::kIsNotTouched);
       });
   for (const MaskedPoint& ball : filled.all) object_.add(ball.point, ball.mask);
-  for (const MaskedPoint& ball : filled.outer) outer_object_.add(ball.point, ball.mask);
+  for (const MaskedPoint& ball : filled.sparse) sparse_object_.add(ball.point, ball.mask);
 }
 
 // By touched matter of the other side, and by what is known of it beforehand.

@@ -24,7 +24,7 @@ WorldsAtUnit::WorldsAtUnit(const WorldSamples& samples, const FeatureParameters&
       known_world_(samples.prior.balls(MapSide::kWorld)) {
   const SurfaceExtents surfaces(samples, feature, extent, planar, seed);
   object_ = surfaces.object();
-  outer_object_ = surfaces.outerObject();
+  sparse_object_ = surfaces.sparseObject();
   world_ = surfaces.world();
 }
 
@@ -40,9 +40,10 @@ std::vector<MatterOverlap> WorldsAtUnit::makeOverlaps() const {
     if (object.empty() || world.empty()) return;
     result.emplace_back(object, world, distance, kBlockSizes * touched, planar_);
   };
-  add(outer_object_, world_, {touched});
+  add(sparse_object_, world_, {touched});
   for (const KnownBalls& known : known_object_) add(known.balls, world_, touchDistance(known));
-  for (const KnownBalls& known : known_world_) add(outer_object_, known.balls, touchDistance(known));
+  for (const KnownBalls& known : known_world_)
+    add(sparse_object_, known.balls, touchDistance(known));
   for (const KnownBalls& object : known_object_) {
     for (const KnownBalls& world : known_world_) {
       const double mean = object.radius + world.radius;

@@ -23,9 +23,7 @@ using ForbiddenAt = std::function<HypothesisMask(const Eigen::Vector3f& point)>;
 /// Matter at points of a lattice.
 struct FilledPoints {
   std::vector<MaskedPoint> all;
-  /// Enough of it to tell whether it touches: every second point along each axis, without those
-  /// whose six nearest of these hold matter too.
-  std::vector<MaskedPoint> outer;
+  std::vector<MaskedPoint> sparse;  ///< every second one along each axis
 };
 
 /// The points of a cubic lattice of `step` [m], positive, with a point at the origin, that hold

@@ -33,8 +33,8 @@ class SurfaceExtents {
                  const ExtentParameters& extent, bool planar, std::uint64_t seed);
 
   const std::vector<MaskedPoint>& object() const { return object_.points(); }
-  /// As much of the object as tells whether it touches: not what lies in the middle of it.
-  const std::vector<MaskedPoint>& outerObject() const { return outer_object_.points(); }
+  /// As much of the object as tells whether it touches: inside of it every second point only.
+  const std::vector<MaskedPoint>& sparseObject() const { return sparse_object_.points(); }
   const std::vector<MaskedPoint>& world() const { return world_.points(); }
 
  private:
@@ -89,7 +89,7 @@ class SurfaceExtents {
   bool planar_;
   std::uint64_t seed_;
   MaskedPoints object_;
-  MaskedPoints outer_object_;
+  MaskedPoints sparse_object_;
   MaskedPoints world_;
 };
 

@@ -62,6 +62,8 @@ class WorldsAtUnit {
 
   /// Centres of the balls of touched matter, in the object's and the map's frame.
   const std::vector<MaskedPoint>& object() const { return object_; }
+  /// As much of the object's as touches are looked up in (SurfaceExtents).
+  const std::vector<MaskedPoint>& sparseObject() const { return sparse_object_; }
   const std::vector<MaskedPoint>& world() const { return world_; }
   double radius() const { return radius_; }  ///< of these balls [m]
 
@@ -97,7 +99,7 @@ class WorldsAtUnit {
   UnknownPlaces unknown_;
   std::vector<TouchingPose> touching_poses_;
   std::vector<MaskedPoint> object_;
-  std::vector<MaskedPoint> outer_object_;  ///< what touches are looked up in
+  std::vector<MaskedPoint> sparse_object_;
   std::vector<MaskedPoint> world_;
   std::vector<KnownBalls> known_object_;
   std::vector<KnownBalls> known_world_;
