@@ -50,11 +50,9 @@ Pose projectedToPlane(const Pose& pose) {
 }
 
 bool isNearPlane(const Pose& T_plane_object) {
-  constexpr double kHeight = 0.01;  // [m]
-  constexpr double kTilt = 0.05;    // [rad]
   const Vec3 axis = T_plane_object.linear().col(2);
-  return std::abs(T_plane_object.translation().z()) <= kHeight && axis.z() > 0.0 &&
-         axis.head<2>().norm() <= std::sin(kTilt);
+  return std::abs(T_plane_object.translation().z()) <= kNearDistance && axis.z() > 0.0 &&
+         axis.head<2>().norm() <= std::sin(kNearAngle);
 }
 
 double angleBetween(const Pose& a, const Pose& b) {

@@ -16,9 +16,6 @@ constexpr double kStallTime = 0.5;
 // A motion may take so many times what its speed says, and so much more [s].
 constexpr double kSlowness = 3.0;
 constexpr double kSlack = 5.0;
-// A compliant robot that stands as near as this comes no nearer.
-constexpr double kNearPosition = 0.01;  // [m]
-constexpr double kNearAngle = 0.05;     // [rad]
 
 }  // namespace
 
@@ -47,8 +44,9 @@ MotionStage MotionProgress::update(double time, const Pose& here, double scaling
   return rest_ >= kStallTime ? MotionStage::kStalled : MotionStage::kUnderWay;
 }
 
+// A compliant robot that stands there comes no nearer.
 bool MotionProgress::isNearTarget(const Pose& here) const {
-  return distanceBetween(here, target_) <= kNearPosition &&
+  return distanceBetween(here, target_) <= kNearDistance &&
          angleBetween(here, target_) <= kNearAngle;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <utility>
 
 #include "smore/common/parallel_for.h"
@@ -68,7 +69,7 @@ MaskBricks allowedWithin(const MaskBricks& within, float step, const ForbiddenAt
   std::vector<MaskBricks> parts(within.bricks().size());
   parallelFor(parts.size(), [&](std::size_t i) {
     forMarked(within, within.bricks()[i], [&](const Cell& cell, HypothesisMask mask) {
-      mark(cell, mask & ~forbidden(placeOf(cell, step)), &parts[i]);
+      mark(cell, mask & ~forbidden(placeOf(cell, step), mask), &parts[i]);
     });
   });
   MaskBricks result;
@@ -88,10 +89,11 @@ class Flood {
     entered_.emplace_back(cell, fresh);
   }
 
+  // The first that were entered go on first: so bits that spread alike stay together.
   void spread() {
     while (!entered_.empty()) {
-      const auto [cell, mask] = entered_.back();
-      entered_.pop_back();
+      const auto [cell, mask] = entered_.front();
+      entered_.pop_front();
       for (const Cell& next : neighboursOf(cell)) enter(next, mask);
     }
   }
@@ -101,37 +103,39 @@ class Flood {
  private:
   const MaskBricks& open_;
   MaskBricks reached_;
-  std::vector<std::pair<Cell, HypothesisMask>> entered_;
+  std::deque<std::pair<Cell, HypothesisMask>> entered_;
 };
 
-FilledPoints pointsOf(const MaskBricks& filled, float step) {
-  FilledPoints points;
-  for (const Cell& lowest : filled.bricks()) {
-    forMarked(filled, lowest, [&](const Cell& cell, HypothesisMask mask) {
-      points.all.push_back({placeOf(cell, step), mask});
-      const bool is_second = ((cell[0] | cell[1] | cell[2]) & 1) == 0;
-      if (is_second) points.sparse.push_back(points.all.back());
-    });
+// The eight points of the lattice around each place on the diameter from the touch on.
+void enterBehind(const TouchedBall& ball, float step, Flood* flood) {
+  const Eigen::Vector3f across = 2.0F * (ball.center - ball.touch);
+  const int steps = static_cast<int>(2.0F * ball.radius / step) + 1;
+  for (int i = 0; i <= steps; ++i) {
+    const float share = static_cast<float>(i) / static_cast<float>(steps);
+    const auto [x, y, z] = cellBelow(ball.touch + share * across, step);
+    for (int corner = 0; corner < 8; ++corner) {
+      flood->enter({x + corner % 2, y + corner / 2 % 2, z + corner / 4}, ball.mask);
+    }
   }
-  return points;
 }
 
 }  // namespace
 
-FilledPoints fillBalls(const std::vector<TouchedBall>& balls, float step,
-                       const ForbiddenAt& forbidden) {
+std::vector<MaskedPoint> fillBalls(const std::vector<TouchedBall>& balls, float step,
+                                   const ForbiddenAt& forbidden) {
   MaskBricks within;
   for (const TouchedBall& ball : balls) markWithin(ball, step, &within);
   const MaskBricks open = allowedWithin(within, step, forbidden);
   Flood flood(open);
-  for (const TouchedBall& ball : balls) {
-    const auto [x, y, z] = cellBelow(ball.touch, step);
-    for (int corner = 0; corner < 8; ++corner) {
-      flood.enter({x + corner % 2, y + corner / 2 % 2, z + corner / 4}, ball.mask);
-    }
-  }
+  for (const TouchedBall& ball : balls) enterBehind(ball, step, &flood);
   flood.spread();
-  return pointsOf(flood.reached(), step);
+  std::vector<MaskedPoint> points;
+  for (const Cell& lowest : flood.reached().bricks()) {
+    forMarked(flood.reached(), lowest, [&](const Cell& cell, HypothesisMask mask) {
+      points.push_back({placeOf(cell, step), mask});
+    });
+  }
+  return points;
 }
 
 }  // namespace smore

@@ -68,6 +68,7 @@ VoxelGrid marginalMap(const Worlds& worlds, MapSide side, double voxel_size) {
   };
   for (const WorldsAtUnit& part : worlds.sampled.parts()) {
     add(of_object ? part.object() : part.world(), part.radius());
+    if (of_object) add(part.behindObject(), part.radius());
     for (const KnownBalls& known : of_object ? part.knownObject() : part.knownWorld()) {
       add(known.balls, known.radius);
     }

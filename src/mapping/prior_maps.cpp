@@ -46,12 +46,6 @@ struct Source {
   std::vector<MatterPoint> matter = {};
 };
 
-Bounds widened(Bounds bounds, double margin) {
-  bounds.min.array() -= margin;
-  bounds.max.array() += margin;
-  return bounds;
-}
-
 Bounds boundsOf(const std::vector<Vec3>& points) {
   Bounds bounds{points.front(), points.front()};
   for (const Vec3& point : points) {
@@ -112,7 +106,7 @@ Source ofOctree(const Octree& tree, const Pose& pose) {
     if (node == nullptr) return std::nullopt;
     return node->getOccupancy() >= kOccupied;
   };
-  Source source{knowledge, widened(boundsOf(corners), 0.5 * tree->getResolution())};
+  Source source{knowledge, boundsOf(corners).widened(0.5 * tree->getResolution())};
   for (auto leaf = tree->begin_leafs(); leaf != tree->end_leafs(); ++leaf) {
     if (leaf->getOccupancy() < kOccupied) continue;
     source.matter.push_back({pose * Vec3(leaf.getX(), leaf.getY(), leaf.getZ()), leaf.getSize()});
@@ -194,7 +188,7 @@ class PriorMaker {
   Bounds withFreeRim(const Bounds& solid) const {
     Bounds box = solid;
     for (double size = voxel_size_, last = 0.0; size > last; size = voxelSizeFor(box)) {
-      box = widened(solid, 1.5 * size);
+      box = solid.widened(1.5 * size);
       last = size;
     }
     return box;

@@ -19,8 +19,8 @@ namespace {
 constexpr double kPlanarStep = 0.5;
 constexpr double kSpatialStep = 0.8;
 
-// Cells of the lattice of points from one to the next behind the object's touches in space: with
-// two, balls around them leave nothing out; with twice as many no surface passes between them.
+// Cells of the lattice of points from one to the next in the balls behind the object's touches:
+// with two, balls of matter around them leave nothing out.
 constexpr float kFilledCells = 2.0F;
 
 // Of a force from the normal, about each of two axes [rad]: 0.29 rad, the edge of the cone of
@@ -58,7 +58,6 @@ SurfaceExtents::SurfaceExtents(const WorldSamples& samples, const FeatureParamet
       planar_(planar),
       seed_(seed),
       object_(latticeCell(feature)),
-      sparse_object_(latticeCell(feature)),
       world_(latticeCell(feature)) {
   addTouches();
   grow(MapSide::kObject);
@@ -110,25 +109,21 @@ void SurfaceExtents::grow(MapSide side) {
   for (int m = 0; m < kHypotheses; ++m) {
     for (const Eigen::Vector3f& point : grown[m]) matter.add(point, HypothesisMask{1} << m);
   }
-  if (side == MapSide::kObject) fillObject(touched, forbidden);
+  if (side == MapSide::kObject && !planar_) fillBehind(touched, forbidden);
 }
 
-void SurfaceExtents::fillObject(const TouchedByHypothesis& touched,
+void SurfaceExtents::fillBehind(const TouchedByHypothesis& touched,
                                 const std::vector<ForbiddenMatter>& forbidden) {
-  sparse_object_ = object_;
-  if (planar_) return;
   std::vector<TouchedBall> balls;
   for (int m = 0; m < kHypotheses; ++m) {
     for (const TouchedPatch& at : touched[m]) {
       balls.push_back(ballBehind(at.patch, HypothesisMask{1} << m));
     }
   }
-  const FilledPoints filled =
-      fillBalls(balls, kFilledCells * latticeCell(feature_), [&](const Eigen::Vector3f& point) {
-        return forbiddenAt(MapSide::kObject, point, forbidden, Known::kIsNotTouched);
-      });
-  for (const MaskedPoint& ball : filled.all) object_.add(ball.point, ball.mask);
-  for (const MaskedPoint& ball : filled.sparse) sparse_object_.add(ball.point, ball.mask);
+  const float step = kFilledCells * latticeCell(feature_);
+  behind_object_ = fillBalls(balls, step, [&](const Eigen::Vector3f& point, HypothesisMask asked) {
+    return forbiddenAt(MapSide::kObject, point, asked, forbidden, Known::kIsNotTouched);
+  });
 }
 
 // By touched matter of the other side, and by what is known of it beforehand.
@@ -152,14 +147,18 @@ std::vector<ForbiddenMatter> SurfaceExtents::forbiddenFor(MapSide side) const {
 }
 
 HypothesisMask SurfaceExtents::forbiddenAt(MapSide side, const Eigen::Vector3f& point,
+                                           HypothesisMask asked,
                                            const std::vector<ForbiddenMatter>& forbidden,
                                            Known known) const {
   const auto reach = static_cast<float>(feature_.reach);
-  if (side == MapSide::kObject && point.norm() > reach) return ~HypothesisMask{0};
+  if (side == MapSide::kObject && point.norm() > reach) return asked;
   HypothesisMask result = known == Known::kMatterGoesOn ? samples_.prior.knowingFree(side, point)
                                                         : samples_.prior.knowing(side, point);
-  for (const ForbiddenMatter& matter : forbidden) result |= matter.at(point);
-  return result;
+  for (const ForbiddenMatter& matter : forbidden) {
+    if ((asked & ~result) == 0) break;
+    result |= matter.at(point);
+  }
+  return result & asked;
 }
 
 MatterAllowed SurfaceExtents::allowedFor(MapSide side, int hypothesis,
@@ -167,7 +166,7 @@ MatterAllowed SurfaceExtents::allowedFor(MapSide side, int hypothesis,
                                          Known known) const {
   const HypothesisMask bit = HypothesisMask{1} << hypothesis;
   return [this, &forbidden, known, side, bit](const Eigen::Vector3f& point) {
-    return (forbiddenAt(side, point, forbidden, known) & bit) == 0;
+    return forbiddenAt(side, point, bit, forbidden, known) == 0;
   };
 }
 

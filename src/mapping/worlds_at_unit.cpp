@@ -8,8 +8,8 @@
 namespace smore {
 namespace {
 
-// Three contact distances: coarse enough to skip much, fine enough to be mostly right.
-constexpr float kBlockSizes = 3.0F;
+// Two contact distances: coarse enough to skip much, fine enough to be mostly right.
+constexpr float kBlockSizes = 2.0F;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ WorldsAtUnit::WorldsAtUnit(const WorldSamples& samples, const FeatureParameters&
       known_world_(samples.prior.balls(MapSide::kWorld)) {
   const SurfaceExtents surfaces(samples, feature, extent, planar, seed);
   object_ = surfaces.object();
-  sparse_object_ = surfaces.sparseObject();
+  behind_object_ = surfaces.behindObject();
   world_ = surfaces.world();
 }
 
@@ -40,10 +40,9 @@ std::vector<MatterOverlap> WorldsAtUnit::makeOverlaps() const {
     if (object.empty() || world.empty()) return;
     result.emplace_back(object, world, distance, kBlockSizes * touched, planar_);
   };
-  add(sparse_object_, world_, {touched});
+  add(object_, world_, {touched});
   for (const KnownBalls& known : known_object_) add(known.balls, world_, touchDistance(known));
-  for (const KnownBalls& known : known_world_)
-    add(sparse_object_, known.balls, touchDistance(known));
+  for (const KnownBalls& known : known_world_) add(object_, known.balls, touchDistance(known));
   for (const KnownBalls& object : known_object_) {
     for (const KnownBalls& world : known_world_) {
       const double mean = object.radius + world.radius;

@@ -10,12 +10,6 @@ namespace {
 
 // Rounding of a tilted plane's coordinates; far below any tolerance of a robot [m].
 constexpr double kRounding = 1e-9;
-// As far beside the plane of planar motion counts as in it (isNearPlane) [m].
-constexpr double kNear = 0.01;
-
-Bounds widened(const Bounds& bounds, double margin) {
-  return {bounds.min - Vec3::Constant(margin), bounds.max + Vec3::Constant(margin)};
-}
 
 double yawOf(const Pose& pose) { return std::atan2(pose.linear()(1, 0), pose.linear()(0, 0)); }
 
@@ -47,11 +41,11 @@ bool MotionSpace::contains(const Pose& T_world_object) const {
 }
 
 bool MotionSpace::inWorkspace(const Pose& T_world_object) const {
-  return widened(workspace, kRounding).contains(T_world_object.translation());
+  return workspace.widened(kRounding).contains(T_world_object.translation());
 }
 
 bool MotionSpace::isNearWorkspace(const Pose& T_world_object) const {
-  return widened(workspace, kNear).contains(T_world_object.translation());
+  return workspace.widened(kNearDistance).contains(T_world_object.translation());
 }
 
 std::string MotionSpace::whyOutside(const Pose& T_world_object) const {

@@ -23,12 +23,8 @@ bool joinsPastAnObstacleAt(const Vec3& obstacle) {
   const Vec3 left(-0.15, 0.0, 0.03);
   const Vec3 right(0.15, 0.0, 0.03);
   const Vec3 far(2.0, 2.0, 2.0);
-  std::vector<ContactHypotheses> contacts = {contactAt(left, far, 1), contactAt(right, far, 2),
-                                             contactAt(left, obstacle, 3)};
-  // What lies behind each touch lies away from the other.
-  contacts[0].object_normal.set(0, -Vec3::UnitX());
-  contacts[1].object_normal.set(0, Vec3::UnitX());
-  contacts[2].object_normal.set(0, -Vec3::UnitX());
+  const std::vector<ContactHypotheses> contacts = {
+      contactAt(left, far, 1), contactAt(right, far, 2), contactAt(left, obstacle, 3)};
   const std::vector<Explanation> explanations(kHypotheses, Explanation(contacts.size(), 0));
   const BelievedPrior nothing_known;
   const SurfaceExtents surfaces(
@@ -112,9 +108,11 @@ std::vector<MaskedPoint> objectOf(const std::vector<ContactHypotheses>& contacts
   const BelievedPrior believed{
       PriorEvidence(known, contacts, evidence, lengths.prior, lengths.feature, planar),
       std::vector<HypothesisMask>(known.size(), ~HypothesisMask{0})};
-  return SurfaceExtents({contacts, evidence, explanations, ~HypothesisMask{0}, believed},
-                        lengths.feature, lengths.extent, planar, 1)
-      .object();
+  const SurfaceExtents surfaces({contacts, evidence, explanations, ~HypothesisMask{0}, believed},
+                                lengths.feature, lengths.extent, planar, 1);
+  std::vector<MaskedPoint> object = surfaces.object();
+  object.insert(object.end(), surfaces.behindObject().begin(), surfaces.behindObject().end());
+  return object;
 }
 
 // Worlds in which the object, touched at its left ends at two heights, goes on for more than 20 cm

@@ -49,7 +49,7 @@ HypothesisMask bruteForce(const SampledWorlds& worlds, const Pose& pose, double 
   const Eigen::Isometry3f T = pose.cast<float>();
   HypothesisMask mask = 0;
   const WorldsAtUnit& at_unit = worlds.parts().front();
-  for (const MaskedPoint& on_object : at_unit.sparseObject()) {
+  for (const MaskedPoint& on_object : at_unit.object()) {
     const Eigen::Vector3f place = T * on_object.point;
     for (const MaskedPoint& in_world : at_unit.world()) {
       if ((place - in_world.point).squaredNorm() < distance * distance) {

@@ -33,6 +33,11 @@ struct Bounds {
 
   bool contains(const Vec3& point) const;
 
+  /// The same with each face so much farther out [m].
+  Bounds widened(double margin) const {
+    return {min - Vec3::Constant(margin), max + Vec3::Constant(margin)};
+  }
+
   /// Of its eight corners the one at the upper end of x, y, z where bit 0, 1, 2 of `index` is set.
   Vec3 corner(int index) const {
     return {(index & 1) != 0 ? max.x() : min.x(), (index & 2) != 0 ? max.y() : min.y(),
@@ -64,9 +69,13 @@ inline double wrapped(double angle) { return std::remainder(angle, 2.0 * M_PI); 
 /// where it stands on its head.
 Pose projectedToPlane(const Pose& pose);
 
-/// Whether a pose lies in the plane z = 0 as nearly as an arm that moves in it does: to 1 cm and
-/// 0.05 rad. Our choice: several times what an arm's calibration leaves, a fraction of what is
-/// held.
+/// As near as an arm comes to where it shall be, or stay. Our choice: several times what its
+/// calibration leaves, a fraction of what is held.
+constexpr double kNearDistance = 0.01;  ///< [m]
+constexpr double kNearAngle = 0.05;     ///< [rad]
+
+/// Whether a pose lies in the plane z = 0 as nearly as an arm that moves in it does: to
+/// kNearDistance and kNearAngle.
 bool isNearPlane(const Pose& T_plane_object);
 
 /// Angle of the rotation between two poses [rad], in [0, pi].

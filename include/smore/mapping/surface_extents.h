@@ -33,8 +33,9 @@ class SurfaceExtents {
                  const ExtentParameters& extent, bool planar, std::uint64_t seed);
 
   const std::vector<MaskedPoint>& object() const { return object_.points(); }
-  /// As much of the object as tells whether it touches: inside of it every second point only.
-  const std::vector<MaskedPoint>& sparseObject() const { return sparse_object_.points(); }
+  /// In space, the object's matter in the balls behind its touches; object() has what lies straight
+  /// behind them. It ends no surface of the world.
+  const std::vector<MaskedPoint>& behindObject() const { return behind_object_; }
   const std::vector<MaskedPoint>& world() const { return world_.points(); }
 
  private:
@@ -52,8 +53,8 @@ class SurfaceExtents {
     kIsNotTouched,  ///< what is known beforehand, matter or nothing, is not claimed once more
     kMatterGoesOn,  ///< known matter is matter
   };
-  /// The hypotheses in which no matter of that side may be centred at a point.
-  HypothesisMask forbiddenAt(MapSide side, const Eigen::Vector3f& point,
+  /// Those of the asked hypotheses in which no matter of that side may be centred at a point.
+  HypothesisMask forbiddenAt(MapSide side, const Eigen::Vector3f& point, HypothesisMask asked,
                              const std::vector<ForbiddenMatter>& forbidden, Known known) const;
   MatterAllowed allowedFor(MapSide side, int hypothesis,
                            const std::vector<ForbiddenMatter>& forbidden, Known known) const;
@@ -62,8 +63,7 @@ class SurfaceExtents {
     SurfacePatch patch;
   };
   using TouchedByHypothesis = std::array<std::vector<TouchedPatch>, kHypotheses>;
-  /// In space, matter in the balls behind the object's touches.
-  void fillObject(const TouchedByHypothesis& touched,
+  void fillBehind(const TouchedByHypothesis& touched,
                   const std::vector<ForbiddenMatter>& forbidden);
   std::vector<TouchedPoint> touchedPoints(MapSide side, const std::vector<Touch>& touches) const;
   std::vector<TouchedPatch> touchedPatches(MapSide side, int hypothesis,
@@ -89,7 +89,7 @@ class SurfaceExtents {
   bool planar_;
   std::uint64_t seed_;
   MaskedPoints object_;
-  MaskedPoints sparse_object_;
+  std::vector<MaskedPoint> behind_object_;
   MaskedPoints world_;
 };
 

@@ -17,7 +17,7 @@
 namespace smore {
 
 /// How far touched matter goes on, in units of length: each world has one radius of all patches
-/// around its touches and, in planar motion, one of those around the object's and one depth of the
+/// around its touches, in planar motion one of those around the object's, and one depth of the
 /// object behind its surface, log-uniform from the shortest to the longest.
 struct ExtentParameters {
   double shortest = 0.2;        ///< as large as a patch that is just told from a point
@@ -62,9 +62,10 @@ class WorldsAtUnit {
 
   /// Centres of the balls of touched matter, in the object's and the map's frame.
   const std::vector<MaskedPoint>& object() const { return object_; }
-  /// As much of the object's as touches are looked up in (SurfaceExtents).
-  const std::vector<MaskedPoint>& sparseObject() const { return sparse_object_; }
   const std::vector<MaskedPoint>& world() const { return world_; }
+  /// The same of the matter in the balls behind the object's touches (SurfaceExtents): maps tell of
+  /// it, touches are not looked up in it.
+  const std::vector<MaskedPoint>& behindObject() const { return behind_object_; }
   double radius() const { return radius_; }  ///< of these balls [m]
 
   /// Matter that was known beforehand.
@@ -99,7 +100,7 @@ class WorldsAtUnit {
   UnknownPlaces unknown_;
   std::vector<TouchingPose> touching_poses_;
   std::vector<MaskedPoint> object_;
-  std::vector<MaskedPoint> sparse_object_;
+  std::vector<MaskedPoint> behind_object_;
   std::vector<MaskedPoint> world_;
   std::vector<KnownBalls> known_object_;
   std::vector<KnownBalls> known_world_;
