@@ -51,13 +51,17 @@ class WorldDrawing {
   }
 
   void drawAll(const FrameNames& frames, const Pose& T_world_map) {
-    // Blue and orange, what was known beforehand paler: after Okabe and Ito.
+    // Blue and orange, what was known beforehand paler: after Okabe and Ito. What lies behind
+    // touches lets these be seen.
     const auto blue = makeColor(0.0F, 0.447F, 0.698F, 1.0F);
+    const auto through_blue = makeColor(0.0F, 0.447F, 0.698F, 0.2F);
     const auto orange = makeColor(0.902F, 0.624F, 0.0F, 1.0F);
     const auto sky_blue = makeColor(0.337F, 0.706F, 0.914F, 1.0F);
     const auto yellow = makeColor(0.941F, 0.894F, 0.259F, 1.0F);
     const Pose here = Pose::Identity();
     draw("touched object", 0, part_.object(), part_.radius(), blue, frames.object, here);
+    draw("object behind touches", 0, part_.behindObject(), part_.radius(), through_blue,
+         frames.object, here);
     draw("touched world", 0, part_.world(), part_.radius(), orange, frames.world, T_world_map);
     int id = 0;
     for (const KnownBalls& known : part_.knownObject()) {

@@ -91,6 +91,24 @@ TEST(SampledWorld, IsTheMatterOfOneWorldOnBothSides) {
   EXPECT_EQ(shown, held);
 }
 
+TEST(SampledWorld, InSpaceHasWhatLiesBehindTheTouchesOfTheObject) {
+  JointBelief belief(JointBeliefParameters{});
+  for (const ContactObservation& observation : wallObservations()) belief.observe(observation);
+  const auto worlds = belief.worlds();
+  std::size_t held = 0;
+  for (const WorldsAtUnit& part : worlds->sampled.parts()) {
+    for (const MaskedPoint& ball : part.behindObject()) held += __builtin_popcountll(ball.mask);
+  }
+  std::size_t shown = 0;
+  for (int number = 1; number <= kHypotheses; ++number) {
+    const MarkerArray array = sampledWorldMarkers(*worlds, number, kFrames);
+    const Marker* balls = find(array, "object behind touches");
+    if (balls != nullptr) shown += balls->points.size();
+  }
+  EXPECT_GT(shown, 0U);
+  EXPECT_EQ(shown, held);
+}
+
 TEST(SampledWorld, SaysItsNumber) {
   const MarkerArray array = sampledWorldMarkers(*worldsOfTheWall(), 7, kFrames);
   const Marker* label = find(array, "label");

@@ -16,9 +16,10 @@ namespace smore {
 visualization_msgs::MarkerArray placeMarkers(const Worlds& worlds, const std::string& frame);
 
 /// One of the sampled worlds, by its number from 1 to kHypotheses: its balls of matter on either
-/// side as they are, one marker for each side and for what was touched or known beforehand, and its
-/// number as text at the object. Before them one that deletes what was shown; that alone for
-/// another number, and in a world without matter.
+/// side as they are, one marker for each side and for what was touched, in space lies behind
+/// touches of the object, or was known beforehand, and its number as text at the object. Before
+/// them one that deletes what was shown; that alone for another number, and in a world without
+/// matter.
 visualization_msgs::MarkerArray sampledWorldMarkers(const Worlds& worlds, int number,
                                                     const FrameNames& frames);
 
