@@ -111,11 +111,12 @@ TEST_F(ConvexParts, ofAFineThreadAreRefusedWithARemedy) {
       text << "f " << a << " " << b << " " << b + kSides << " " << a + kSides << "\n";
     }
   }
-  text << "f";
-  for (int side = kSides; side > 0; --side) text << " " << side;
-  text << "\nf";
-  for (int side = 1; side <= kSides; ++side) text << " " << (kRings - 1) * kSides + side;
-  text << "\n";
+  // Ends of triangles: assimp 5.4 leaves out polygons of a millimetre with more than four corners.
+  constexpr int kLast = (kRings - 1) * kSides;
+  for (int side = 2; side < kSides; ++side) {
+    text << "f 1 " << side + 1 << " " << side << "\n"
+         << "f " << kLast + 1 << " " << kLast + side << " " << kLast + side + 1 << "\n";
+  }
   try {
     object(text.str());
     FAIL() << "taken";
