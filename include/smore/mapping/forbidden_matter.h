@@ -15,7 +15,7 @@
 namespace smore {
 
 /// Where one side, the object or the world, cannot hold matter: there it would have overlapped the
-/// other side's matter at a pose that was free. Few places are asked for, and near one another: the
+/// other side's matter at a pose that was free. Places that are asked for lie near one another: the
 /// other side's matter is swept through a tile of a lattice when first a point in it is asked for.
 class ForbiddenMatter {
  public:
