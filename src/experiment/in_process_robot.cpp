@@ -67,6 +67,7 @@ MotionResult InProcessRobot::follow(const Path& path) {
   if (const auto failure = robot_->follow(path)) {
     result.end = MotionEnd::kUnreachable;
     result.reason = failure->reason;
+    result.refused_at = robot_->refusedAt();
     return result;
   }
   while (robot_->moving()) {
@@ -95,7 +96,7 @@ MotionResult InProcessRobot::retreat(double distance) {
 }
 
 MotionResult InProcessRobot::goBack(const Path& back) {
-  if (const auto failure = robot_->follow(back)) return fault(failure->reason);
+  if (const auto failure = robot_->goBack(back)) return fault(failure->reason);
   while (robot_->moving()) {
     advance(true);
     trail_.unwind(robot_->pose());

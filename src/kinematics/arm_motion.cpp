@@ -132,7 +132,7 @@ ArmMotion::Score ArmMotion::score(const JointVector& q) const {
   score.margin = margin(q);
   double lowest = collision_.lowestPoint(q);
   for (const Pose& wanted : parameters_.wanted) {
-    const auto way = resolve(q, {wanted});
+    const auto way = resolve(q, {wanted}, Way::kNew);
     if (!way) continue;
     ++score.reachable;
     for (const JointVector& passed : *way) {
@@ -192,8 +192,20 @@ Result<bool> ArmMotion::checkConfiguration(const JointVector& q, const JointVect
   return true;
 }
 
-Result<JointVector> ArmMotion::next(const JointVector& now, const Pose& T_world_object,
-                                    const JointVector& start) const {
+Result<bool> ArmMotion::checkLimits(const JointVector& q) const {
+  for (int i = 0; i < kArmJoints; ++i) {
+    const auto joint = static_cast<size_t>(i);
+    const JointLimits& limits = arm_.limits()[joint];
+    if (q[i] < limits.min || q[i] > limits.max) {
+      return Failure{arm_.jointNames()[joint] + " would pass its limit (" + std::to_string(q[i]) +
+                     " rad; " + std::to_string(limits.min) + " to " + std::to_string(limits.max) +
+                     ")"};
+    }
+  }
+  return true;
+}
+
+Result<JointVector> ArmMotion::next(const JointVector& now, const Pose& T_world_object) const {
   const Pose target = T_base_tool(T_world_object);
   const auto q = inverse_kinematics_.solveNear(target, now);
   if (!q && inverse_kinematics_.branches(target).empty()) {
@@ -202,21 +214,23 @@ Result<JointVector> ArmMotion::next(const JointVector& now, const Pose& T_world_
   if (!q || (*q - now).cwiseAbs().maxCoeff() > kLongestJointStep) {
     return Failure{"the arm would have to pass a singularity to get there"};
   }
-  const Result<bool> valid = checkConfiguration(*q, &start);
-  if (!valid) return Failure{valid.reason()};
   return *q;
 }
 
-Result<std::vector<JointVector>> ArmMotion::resolve(const JointVector& now,
-                                                    const Path& path) const {
+Result<std::vector<JointVector>> ArmMotion::resolve(const JointVector& now, const Path& path,
+                                                    Way way, Pose* refused_at) const {
   std::vector<JointVector> configurations{now};
   Pose from = objectPose(now);
   for (size_t i = 0; i < path.size(); ++i) {
     for (const Pose& pose : densify({from, path[i]}, kResolution, kAngularResolution)) {
-      const auto q = next(configurations.back(), pose, now);
-      if (!q) {
+      const auto q = next(configurations.back(), pose);
+      const Result<bool> valid = !q                  ? Failure{q.reason()}
+                                 : way == Way::kBack ? checkLimits(*q)
+                                                     : checkConfiguration(*q, &now);
+      if (!valid) {
+        if (refused_at != nullptr) *refused_at = pose;
         return Failure{"pose " + std::to_string(i + 1) + " of " + std::to_string(path.size()) +
-                       ", the object at " + text(pose) + ": " + q.reason()};
+                       ", the object at " + text(pose) + ": " + valid.reason()};
       }
       if ((*q - configurations.back()).cwiseAbs().maxCoeff() > kAtRest) {
         configurations.push_back(*q);
@@ -227,9 +241,10 @@ Result<std::vector<JointVector>> ArmMotion::resolve(const JointVector& now,
   return configurations;
 }
 
-Result<JointTrajectory> ArmMotion::trajectory(const JointVector& now, const Path& path) const {
+Result<JointTrajectory> ArmMotion::trajectory(const JointVector& now, const Path& path, Way way,
+                                              Pose* refused_at) const {
   requireFinite(path);
-  auto configurations = resolve(now, path);
+  auto configurations = resolve(now, path, way, refused_at);
   if (!configurations) return Failure{configurations.reason()};
   JointTrajectory trajectory;
   if (configurations->size() > 1) return timed(*configurations);

@@ -16,7 +16,8 @@ class CartesianCommands : public JointCommands {
   std::vector<std::string> jointNames() const override { return cartesianJointNames(); }
 
   Result<JointTrajectory> along(const std::vector<double>& /*now*/, const Pose& /*seen*/,
-                                const Path& path) const override {
+                                const Path& path, Way /*way*/,
+                                Pose* /*refused_at*/) const override {
     return cartesianTrajectory(path, linear_speed_, angular_speed_);
   }
 
@@ -42,13 +43,16 @@ class ArmCommands : public JointCommands {
     return {names.begin(), names.end()};
   }
 
-  Result<JointTrajectory> along(const std::vector<double>& now, const Pose& seen,
-                                const Path& path) const override {
+  Result<JointTrajectory> along(const std::vector<double>& now, const Pose& seen, const Path& path,
+                                Way way, Pose* refused_at) const override {
     const JointVector q = toJointVector(now);
     const Pose T_seen_described = seen.inverse() * motion_.objectPose(q);
     Path described = path;
     for (Pose& pose : described) pose = pose * T_seen_described;
-    return motion_.trajectory(q, described);
+    auto trajectory = motion_.trajectory(q, described, way, refused_at);
+    if (!trajectory && refused_at != nullptr)
+      *refused_at = *refused_at * T_seen_described.inverse();
+    return trajectory;
   }
 
   std::optional<Pose> toolGap(const std::vector<double>& now, const Pose& seen) const override {

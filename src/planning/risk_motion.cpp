@@ -77,6 +77,22 @@ bool RiskMotions::turnsTooFar(const RiskState& from, const RiskState& to) const 
   return !full_turns_ && std::abs(turnAboutZ(from.rotation) - turnAboutZ(to.rotation)) > M_PI;
 }
 
+bool RiskMotions::passes(const BarredPlace& barred, const RiskState& from,
+                         const RiskState& to) const {
+  const int count = 1 + static_cast<int>(4.0 * distance(from, to) / barred.radius);
+  for (int i = 1; i <= count; ++i) {
+    const float fraction = static_cast<float>(i) / static_cast<float>(count);
+    if (distance(barred.place, interpolate(from, to, fraction)) < barred.radius) return true;
+  }
+  return false;
+}
+
+bool RiskMotions::isForbidden(const RiskState& from, const RiskState& to) const {
+  return turnsTooFar(from, to) ||
+         std::any_of(barred_.begin(), barred_.end(),
+                     [&](const BarredPlace& barred) { return passes(barred, from, to); });
+}
+
 MotionCost RiskMotions::cost(const RiskState& from, const RiskState& to) const {
   return *costUnless(from, to, [](const MotionCost&) { return false; });
 }
@@ -86,7 +102,7 @@ std::optional<MotionCost> RiskMotions::costUnless(
     const std::function<bool(const MotionCost& part)>& hopeless) const {
   MotionCost result;
   result.length =
-      turnsTooFar(from, to) ? std::numeric_limits<double>::infinity() : distance(from, to);
+      isForbidden(from, to) ? std::numeric_limits<double>::infinity() : distance(from, to);
   if (hopeless(result)) return std::nullopt;
   if (std::isinf(result.length)) return result;
   const int count = steps(from, to);
@@ -106,7 +122,7 @@ std::optional<MotionCost> RiskMotions::costUnless(
 }
 
 bool RiskMotions::within(const RiskState& from, const RiskState& to, int limit) const {
-  if (turnsTooFar(from, to)) return false;
+  if (isForbidden(from, to)) return false;
   const int count = steps(from, to);
   if (limit >= kHypotheses) return true;
   // From the end: it lies farthest from what is known to be within.

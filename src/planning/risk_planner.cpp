@@ -28,6 +28,9 @@ constexpr double kRadiansPerUnit = 0.25;  // of local samples: sweeping turns at
 // Steps of a chain towards the other tree, at most: what is farther away is left to later samples.
 constexpr int kLongestConnection = 60;
 
+// A place nearer than twice this to start or goal cannot be passed beside [units of length].
+constexpr double kSmallestBar = 0.01;
+
 constexpr double kMoveDistance = 0.5;  // of inner states of a path [units of length]
 
 // The best paths, which are improved once more.
@@ -78,6 +81,15 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
 }
 
 Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
+  if (!refused_.empty()) {
+    const Result<Plan> beside = planBeside(refused_, start, goal);
+    if (beside) return beside;
+  }
+  return planBeside({}, start, goal);
+}
+
+Result<Plan> RiskPlanner::planBeside(const std::vector<Pose>& refused, const Pose& start,
+                                     const Pose& goal) {
   const std::shared_ptr<const Worlds> worlds = belief_->worlds();
   worlds->sampled.prepareTouching();
   const Deadline deadline(parameters_.time_limit);
@@ -85,7 +97,14 @@ Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   const double unit = worlds->unit;
   const RiskObjective& objective = parameters_.objective;
   const RiskSpace space(space_, worlds->frame.T_map_world(), parameters_.lever * worlds->held);
-  const RiskMotions motions(worlds->sampled, space.lever(), space.fullTurns());
+  RiskMotions motions(worlds->sampled, space.lever(), space.fullTurns());
+  for (const Pose& T_world_object : refused) {
+    const RiskState place = space.toState(T_world_object);
+    const double from_ends = std::min(motions.distance(place, space.toState(start)),
+                                      motions.distance(place, space.toState(goal)));
+    const double radius = std::min(parameters_.step * unit, 0.5 * from_ends);
+    if (radius > kSmallestBar * unit) motions.bar({place, radius});
+  }
   std::optional<SweptRoom> room;
   const double surprises = surprisesIn(*worlds);
   if (surprises > 0.0) room.emplace(*worlds, space, motions);

@@ -8,7 +8,9 @@ namespace smore {
 namespace {
 
 constexpr int kMotionsPerTouch = 10;  // allowed on average, before the scene counts as empty
-constexpr int kMostRefused = 20;      // motions in a row that the robot cannot follow
+// Motions in a row that the robot cannot follow: an arm cannot be at most places that are drawn at
+// random in space, so that twenty may be chance.
+constexpr int kMostRefused = 100;
 
 // Until the touches end, for the reason that it leaves in the outcome.
 void touchOn(const ReconstructionParameters& parameters, Robot* robot, TouchPlanner* touches,
@@ -17,7 +19,8 @@ void touchOn(const ReconstructionParameters& parameters, Robot* robot, TouchPlan
   const int max_motions = kMotionsPerTouch * parameters.touches;
   const int most = std::min(parameters.touches, parameters.max_collisions);
   int refused = 0;
-  while (outcome->collisions < most && outcome->plans < max_motions) {
+  int made = 0;
+  while (outcome->collisions < most && made < max_motions) {
     if (should_stop && should_stop()) {
       outcome->reason = "stopped by the user";
       return;
@@ -42,6 +45,7 @@ void touchOn(const ReconstructionParameters& parameters, Robot* robot, TouchPlan
     // Nothing moved: another touch may be within the robot's reach.
     refused = motion.end == MotionEnd::kUnreachable ? refused + 1 : 0;
     if (refused > 0 && refused < kMostRefused) continue;
+    ++made;
     if (motion.end == MotionEnd::kContact) {
       if (motion.set_out) ++outcome->collisions;
       const bool reset = parameters.on_contact == OnContact::kReset;

@@ -47,6 +47,7 @@ RetrievalOutcome Retrieval::run() {
   progress_ = {};
   calibration_ = RiskCalibration(parameters_.motion);
   refused_ = 0;
+  refused_at_.clear();
   missed_ = 0;
   Plan plan;
   if (atGoal()) {
@@ -91,10 +92,13 @@ bool Retrieval::findPlan(Plan* plan) {
     enter(Phase::kPlanning);
     if (stopped()) return false;
     const auto begin = SteadyClock::now();
+    planner_->avoid(refused_at_);
     Result<Plan> result = planner_->plan(robot_->pose(), parameters_.goal);
     if (!result) {
       reason = result.reason();
-      result = planner_->planRelaxed(robot_->pose(), parameters_.goal);
+      if (planner_->outage().empty()) {
+        result = planner_->planRelaxed(robot_->pose(), parameters_.goal);
+      }
     }
     outcome_.planning_s += secondsSince(begin);
     ++progress_.plans;
@@ -106,6 +110,7 @@ bool Retrieval::findPlan(Plan* plan) {
       outcome_.path = plan->path;
       return true;
     }
+    if (!planner_->outage().empty()) continue;  // that is no reason to move
     // Being at the start again is an observation too: what it shows to be free may open a path.
     enter(Phase::kResetting);
     if (stopped()) return false;
@@ -132,7 +137,7 @@ bool Retrieval::execute(const Plan& plan) {
   if (stopped()) return true;
   const MotionResult motion = follow(plan);
   outcome_.path_length = motion.length;
-  refused_ = motion.end == MotionEnd::kUnreachable ? refused_ + 1 : 0;
+  noteRefusal(motion);
   const bool ended = motion.end == MotionEnd::kReached || motion.end == MotionEnd::kContact;
   if (ended && motion.set_out) {
     const bool touched = motion.end == MotionEnd::kContact;
@@ -157,6 +162,16 @@ bool Retrieval::execute(const Plan& plan) {
       return finish(false, motion.reason);
   }
   return finish(false, "unknown end of a motion");
+}
+
+void Retrieval::noteRefusal(const MotionResult& motion) {
+  if (motion.end != MotionEnd::kUnreachable) {
+    refused_ = 0;
+    refused_at_.clear();
+    return;
+  }
+  ++refused_;
+  if (motion.refused_at) refused_at_.push_back(*motion.refused_at);
 }
 
 bool Retrieval::recover() {

@@ -45,9 +45,10 @@ constexpr double kLastStop = 0.3;
 /// stamps.
 double now() { return ros::SteadyTime::now().toSec(); }
 
-/// When what bears a stamp was new, by that clock [s].
+/// When what bears a stamp was new, by that clock [s]. ros::Duration holds no stamp of the far
+/// future.
 double measuredAt(const ros::Time& stamp) {
-  return now() - std::max(0.0, (ros::Time::now() - stamp).toSec());
+  return now() - std::max(0.0, ros::Time::now().toSec() - stamp.toSec());
 }
 
 /// Everything happens in one thread, between two checks for silence.
@@ -198,7 +199,7 @@ class GuardNode {
   /// horizon that the robot got; without one the robot is told to stop as it can. Whether it
   /// brakes.
   bool brakeNow() {
-    const auto joints = guard_.joints(now());
+    const auto joints = guard_.jointsToBrakeFrom(now());
     if (joints) {
       guarded_.publish(toMessage(brake(joint_names_, *joints, deceleration_, speed_.scaling())));
     } else if (!stream_.active()) {

@@ -9,6 +9,8 @@ namespace smore {
 
 GuardParameters readGuardParameters(ParameterReader* reader) {
   constexpr double kMost = 1000.0;
+  // From 0.3 rad/s an arm then stops within 0.15 s; a gentler stop runs on into what was touched.
+  constexpr double kLeastDeceleration = 2.0;
   GuardParameters all;
   MotionGuardParameters& parameters = all.guard;
   MotionLimits& limits = parameters.limits;
@@ -25,7 +27,7 @@ GuardParameters readGuardParameters(ParameterReader* reader) {
   reader->number("force_margin", &parameters.force_margin, {0.0, kMost});
   reader->number("torque_margin", &parameters.torque_margin, {0.0, kMost});
   reader->number("path_tolerance", &parameters.path_tolerance, {0.001, 1.0});
-  reader->number("stop_deceleration", &all.horizon.deceleration, {0.1, kMost});
+  reader->number("stop_deceleration", &all.horizon.deceleration, {kLeastDeceleration, kMost});
   if (parameters.max_silence < parameters.max_lateness) {
     reader->error("max_silence", "is less than max_lateness; give at least as much");
   }

@@ -40,10 +40,12 @@ bool MethodReplica::extend(const EvidencePart& part) {
   return false;
 }
 
-Result<Plan> MethodReplica::plan(const Pose& start, const Pose& goal, bool relaxed) {
+Result<Plan> MethodReplica::plan(const Pose& start, const Pose& goal, bool relaxed,
+                                 std::vector<Pose> refused) {
   const std::string outside = scenario_.motionSpace().whyOutside(goal);
   if (!outside.empty()) return Failure{"goal: " + outside};
   method_.planner->keepTree(true);
+  method_.planner->avoid(std::move(refused));
   return relaxed ? method_.planner->planRelaxed(start, goal) : method_.planner->plan(start, goal);
 }
 

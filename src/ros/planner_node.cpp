@@ -122,11 +122,19 @@ class PlannerNode {
     if (!start) return "start: " + start.reason();
     const Result<Pose> goal = fromMessage(request.goal, parameters_.frames.world);
     if (!goal) return "goal: " + goal.reason();
+    std::vector<Pose> refused;
+    for (const geometry_msgs::Pose& message : request.refused) {
+      const Result<Pose> pose = fromMessage(message);
+      if (!pose) return "refused: " + pose.reason();
+      refused.push_back(*pose);
+    }
     std::string problem = synchronise(request.not_before);
     if (!problem.empty()) return problem;
 
+    response->searched = static_cast<unsigned char>(true);
     const ros::WallTime begin = ros::WallTime::now();
-    const Result<Plan> plan = replica_.plan(*start, *goal, request.relaxed != 0);
+    const Result<Plan> plan =
+        replica_.plan(*start, *goal, request.relaxed != 0, std::move(refused));
     if (!plan) return plan.reason();
     ROS_INFO("path of %.2f m at risk %.2f planned in %.2f s", pathLength(plan->path), plan->risk,
              (ros::WallTime::now() - begin).toSec());

@@ -45,8 +45,11 @@ Result<Plan> RemotePlanner::ask(const Pose& start, const Pose& goal, bool relaxe
   call.request.goal = stamped(goal, world_frame_);
   call.request.relaxed = static_cast<unsigned char>(relaxed);
   call.request.not_before.fromSec(robot_->stamp());
+  for (const Pose& pose : refused_) call.request.refused.push_back(toMessage(pose));
   const auto given_up = [this] { return robot_->stopRequested(); };
-  if (!callInterruptibly(client_, &call, given_up)) return noAnswer(client_.getService());
+  outage_ = noAnswer(client_.getService()).reason;
+  if (!callInterruptibly(client_, &call, given_up)) return Failure{outage_};
+  outage_ = call.response.searched != 0 ? "" : call.response.message;
   if (call.response.success == 0) return Failure{call.response.message};
   const Result<Path> path = fromMessage(call.response.path);
   if (!path) return Failure{path.reason()};

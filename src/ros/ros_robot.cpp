@@ -91,7 +91,7 @@ MotionResult RosRobot::follow(const Path& path) {
   trail_.setOutFrom(pose());
   if (pressesAtRest()) return {MotionEnd::kContact, "", 0.0, false};
   press_.setOut();
-  Motion motion = begin(path);
+  Motion motion = begin(path, Way::kNew);
   if (motion.refused) return *motion.refused;
   while (true) {
     switch (advance(&motion)) {
@@ -126,7 +126,7 @@ MotionResult RosRobot::retreat(double distance) {
 
 MotionResult RosRobot::goBack(const Path& back) {
   press_.setOut();
-  Motion motion = begin(back);
+  Motion motion = begin(back, Way::kBack);
   if (motion.refused) return *motion.refused;
   while (true) {
     const Step step = advance(&motion);
@@ -178,7 +178,7 @@ std::string RosRobot::guardFault() const {
   return "the guard had stopped the robot, and was cleared: " + guard_.last();
 }
 
-RosRobot::Motion RosRobot::begin(const Path& path) {
+RosRobot::Motion RosRobot::begin(const Path& path, Way way) {
   const ContactObservation now = stream_.latest().value_or(ContactObservation{});
   const Pose& here = now.T_world_object;
   const Pose& target = path.empty() ? here : path.back();
@@ -192,9 +192,13 @@ RosRobot::Motion RosRobot::begin(const Path& path) {
     motion.refused = MotionResult{MotionEnd::kFault, joints.reason(), 0.0};
     return motion;
   }
-  const Result<JointTrajectory> trajectory = commands_->along(*joints, here, path);
+  Pose refused_at = here;
+  const Result<JointTrajectory> trajectory =
+      commands_->along(*joints, here, path, way, &refused_at);
   if (!trajectory) {
+    ROS_WARN_STREAM("the robot cannot follow the path: " << trajectory.reason());
     motion.refused = MotionResult{MotionEnd::kUnreachable, trajectory.reason(), 0.0};
+    motion.refused->refused_at = refused_at;
     return motion;
   }
   stream_.open();
@@ -211,7 +215,8 @@ void RosRobot::aimAgain(Motion* motion) {
   if (motion->aims == kMostAims || gapBetween(here, target) > kNominalToolGap.distance) return;
   const Result<std::vector<double>> joints = joints_.positionsAt(motion->last.time);
   if (!joints) return;
-  const Result<JointTrajectory> trajectory = commands_->along(*joints, here, {here, target});
+  const Result<JointTrajectory> trajectory =
+      commands_->along(*joints, here, {here, target}, Way::kNew);
   if (!trajectory || trajectory->points.empty()) return;
   ++motion->aims;
   motion->progress.setOutAgain(trajectory->points.back().time);

@@ -52,9 +52,14 @@ ArmRobot::ArmRobot(const Scenario& scenario, const UrdfModel& urdf, std::uint64_
   place(scenario.start);
 }
 
-std::optional<Failure> ArmRobot::follow(const Path& path) {
-  auto trajectory = motion_.trajectory(toJointVector(jointPositions()), path);
-  if (!trajectory) return Failure{trajectory.reason()};
+std::optional<Failure> ArmRobot::go(const Path& path, Way way) {
+  Pose refused_at = pose();
+  auto trajectory = motion_.trajectory(toJointVector(jointPositions()), path, way, &refused_at);
+  refused_at_.reset();
+  if (!trajectory) {
+    refused_at_ = refused_at;
+    return Failure{trajectory.reason()};
+  }
   return followJoints(*trajectory);
 }
 

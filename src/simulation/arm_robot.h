@@ -23,7 +23,9 @@ class ArmRobot : public SimulatedRobot {
   ArmRobot(const Scenario& scenario, const UrdfModel& urdf, std::uint64_t seed,
            double sensor_cutoff);
 
-  std::optional<Failure> follow(const Path& path) override;
+  std::optional<Failure> follow(const Path& path) override { return go(path, Way::kNew); }
+  std::optional<Failure> goBack(const Path& path) override { return go(path, Way::kBack); }
+  std::optional<Pose> refusedAt() const override { return refused_at_; }
   std::optional<Failure> followJoints(const JointTrajectory& trajectory) override;
   void stop() override;
   void place(const Pose& T_world_object) override;
@@ -43,6 +45,7 @@ class ArmRobot : public SimulatedRobot {
   std::vector<ContactPoint> contacts() const override { return load_.contacts(); }
 
  private:
+  std::optional<Failure> go(const Path& path, Way way);
   std::optional<Failure> checkLimits(const JointTrajectory& trajectory) const;
   void advanceSubstep();
   void showLoad();
@@ -56,6 +59,7 @@ class ArmRobot : public SimulatedRobot {
   JointMotion joints_;
   WrenchSensor sensor_;
   WristReading reading_;
+  std::optional<Pose> refused_at_;
   std::optional<Failure> fault_;
   std::set<LinkContact> link_contacts_;  ///< in the last step
   std::int64_t substeps_ = 0;

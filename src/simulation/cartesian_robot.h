@@ -18,6 +18,8 @@ class CartesianRobot : public SimulatedRobot {
   CartesianRobot(const Scenario& scenario, std::uint64_t seed, double sensor_cutoff);
 
   std::optional<Failure> follow(const Path& path) override;
+  std::optional<Failure> goBack(const Path& path) override { return follow(path); }
+  std::optional<Pose> refusedAt() const override { return std::nullopt; }
   std::optional<Failure> followJoints(const JointTrajectory& trajectory) override;
   void stop() override { hand_.stop(); }
   void place(const Pose& T_world_object) override;

@@ -142,6 +142,19 @@ TEST_F(MotionGuardTest, KnowsTheJointsWhileTheyAreNew) {
   EXPECT_FALSE(guard_.joints(now_ + 0.051));
 }
 
+// However late a motion may be told on a bad network.
+TEST(MotionGuard, DoesNotBrakeFromWhereTheJointsWereLongAgo) {
+  MotionGuardParameters patient;
+  patient.max_lateness = 0.5;
+  patient.max_silence = 0.5;
+  MotionGuard guard(patient, {"joint"});
+  EXPECT_FALSE(guard.jointsToBrakeFrom(0.0));
+  guard.onJoints(1.0, {1.0, {"joint"}, {0.2}, {0.1}});
+  EXPECT_TRUE(guard.jointsToBrakeFrom(1.04));
+  EXPECT_FALSE(guard.jointsToBrakeFrom(1.06));
+  EXPECT_TRUE(guard.joints(1.4));
+}
+
 TEST_F(MotionGuardTest, ARobotWhoseProgramHasEndedMovesOnlyAfterItRunsAndAClearing) {
   guard_.onProgram(false);
   run(kPeriod);

@@ -131,6 +131,28 @@ TEST(ArmMotion, aJointThatStandsNearItsLimitMayMoveAwayFromIt) {
   EXPECT_NE(nearer.reason().find("wrist_3_joint would pass its limit"), std::string::npos);
 }
 
+// Also where a joint stands nearer to its limit than a new way may lead, and is led on to it.
+TEST(ArmMotion, canGoBackTheWayItHasCome) {
+  const ArmMotion motion(armUrdf(RobotKind::kUr5e), tableTop());
+  auto q = motion.configurationFor(overTable(0.45, 0.1));
+  ASSERT_TRUE(q);
+  const double limit = motion.model().limits()[5].max;
+  (*q)[5] = limit - 0.02;
+  const Pose here = motion.objectPose(*q);
+  (*q)[5] = limit - 0.2;
+  const Pose there = motion.objectPose(*q);
+  const auto back = motion.trajectory(*q, {there, here}, Way::kBack);
+  ASSERT_TRUE(back) << back.reason();
+  EXPECT_NEAR(back->points.back().positions[5], limit - 0.02, 1e-6);
+  EXPECT_FALSE(motion.trajectory(*q, {there, here}));
+  (*q)[5] = limit + 0.01;
+  const Pose beyond = motion.objectPose(*q);
+  (*q)[5] = limit - 0.2;
+  const auto too_far = motion.trajectory(*q, {there, beyond}, Way::kBack);
+  ASSERT_FALSE(too_far);
+  EXPECT_NE(too_far.reason().find("wrist_3_joint would pass its limit"), std::string::npos);
+}
+
 // No jump: along a path that crosses the workspace each configuration is near the one before.
 TEST(ArmMotion, staysOnItsBranch) {
   const ArmMotion motion(armUrdf(RobotKind::kUr5e), tableTop());

@@ -25,7 +25,8 @@ class JointCommandsOfAnArm : public testing::Test {
 };
 
 TEST_F(JointCommandsOfAnArm, goWhereTheDescriptionHasItWhereBothAgree) {
-  const auto motion = commands_->along(toList(q_), scenario_.start, {scenario_.start, goal()});
+  const auto motion =
+      commands_->along(toList(q_), scenario_.start, {scenario_.start, goal()}, Way::kNew);
   ASSERT_TRUE(motion) << motion.reason();
   EXPECT_LT(gapBetween(endOf(*motion), goal()), 1e-6);
   EXPECT_EQ(toolGapProblem(*commands_->toolGap(toList(q_), scenario_.start), kNominalToolGap, ""),
@@ -35,9 +36,9 @@ TEST_F(JointCommandsOfAnArm, goWhereTheDescriptionHasItWhereBothAgree) {
 TEST_F(JointCommandsOfAnArm, beginWithoutAJumpWhereTheObjectIsSeenElsewhere) {
   const Pose off = makePose(Vec3(0.004, -0.003, 0.002), Vec3(0.01, 0, -0.01));
   const Pose seen = arm_.objectPose(q_) * off;
-  EXPECT_TRUE(commands_->along(toList(q_), seen, {seen})->points.empty());
+  EXPECT_TRUE(commands_->along(toList(q_), seen, {seen}, Way::kNew)->points.empty());
   const Pose target = goal();
-  const auto motion = commands_->along(toList(q_), seen, {seen, target});
+  const auto motion = commands_->along(toList(q_), seen, {seen, target}, Way::kNew);
   ASSERT_TRUE(motion) << motion.reason();
   // A gap that stays the same in the object's axes is seen at the target.
   EXPECT_LT(gapBetween(endOf(*motion) * off, target), 1e-6);

@@ -57,6 +57,39 @@ TEST_P(RiskPlannerIn, GoesStraightWhereNothingIsKnown) {
   EXPECT_TRUE(plan->path.back().isApprox(kGoal));
 }
 
+double nearest(const Path& path, const Pose& place) {
+  double least = 1e9;
+  for (const Pose& pose : densify(path, 0.005, 0.02)) {
+    least = std::min(least, distanceBetween(pose, place) + angleBetween(pose, place));
+  }
+  return least;
+}
+
+TEST_P(RiskPlannerIn, PassesBesideWhereTheRobotCannotBe) {
+  JointBelief belief = emptyBelief(GetParam());
+  block(0.3, &belief);
+  RiskPlanner planner(belief, spaceOf(GetParam()), {}, 1);
+  std::vector<Pose> refused;
+  for (int i = 0; i < 5; ++i) {
+    planner.avoid(refused);
+    const auto plan = planner.plan(kStart, kGoal);
+    ASSERT_TRUE(plan);
+    for (const Pose& place : refused) EXPECT_GT(nearest(plan->path, place), 0.05) << i;
+    const Path dense = densify(plan->path, 0.005, 0.02);
+    refused.push_back(dense[dense.size() / 2]);
+  }
+}
+
+// Where no way leads past it, as around all of the start, it is as if nothing had been said.
+TEST_P(RiskPlannerIn, FindsAPathThoughTheRobotCannotSetOut) {
+  const JointBelief belief = emptyBelief(GetParam());
+  RiskPlanner planner(belief, spaceOf(GetParam()), {}, 1);
+  planner.avoid({kStart, kGoal, makePose({-1e-5, 0, 0})});
+  const auto plan = planner.plan(kStart, kGoal);
+  ASSERT_TRUE(plan);
+  EXPECT_NEAR(pathLength(plan->path), 1.0, 0.05);
+}
+
 TEST_P(RiskPlannerIn, DoesNotRepeatAContact) {
   JointBelief belief = emptyBelief(GetParam());
   block(0.3, &belief);

@@ -78,6 +78,23 @@ TEST(RandomTouches, keepWithinTheHalfTurnOfAnArm) {
   EXPECT_GT(leaving(space(Motion::kPlanar)), 50);
 }
 
+// They are no motions: an arm cannot be at most of the places that are drawn.
+TEST(Reconstruct, goesOnPastWhatTheRobotRefuses) {
+  MotionResult refusal;
+  refusal.end = MotionEnd::kUnreachable;
+  ScriptedRobot robot;
+  for (int touch = 0; touch < 2; ++touch) {
+    robot.script.insert(robot.script.end(), 40, refusal);
+    robot.script.push_back(contact());
+  }
+  RandomTouches touches(space(Motion::kPlanar), 1);
+  const RetrievalOutcome outcome = reconstruct(parameters(2), &robot, &touches, {}, {});
+  EXPECT_TRUE(outcome.success) << outcome.reason;
+  EXPECT_EQ(outcome.collisions, 2);
+  robot.script.assign(200, refusal);
+  EXPECT_FALSE(reconstruct(parameters(2), &robot, &touches, {}, {}).success);
+}
+
 TEST(Reconstruct, countsTouchesUntilTheBudget) {
   ScriptedRobot robot;
   robot.script = {{}, contact(), {}, contact(), contact()};

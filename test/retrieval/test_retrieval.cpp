@@ -29,10 +29,15 @@ class DetourPlanner : public Planner {
  public:
   int failures = 0;
   int calls = 0;
-  double spread = 1.0;  // [m] between the detours
+  double spread = 1.0;               // [m] between the detours
+  std::string out;                   // why it cannot be asked
+  std::vector<std::size_t> avoided;  // how many places, by call
+
+  std::string outage() const override { return out; }
 
   Result<Plan> plan(const Pose& start, const Pose& goal) override {
     ++calls;
+    avoided.push_back(refused_.size());
     if (failures-- > 0) return Failure{"walled in"};
     return Plan{{start, makePose(Vec3(0, spread * calls, 0)), goal}, 0.25};
   }
@@ -171,6 +176,7 @@ MotionResult refusal() {
   MotionResult result;
   result.end = MotionEnd::kUnreachable;
   result.reason = "pose 2 of 3 is out of reach";
+  result.refused_at = makePose(Vec3(0.0, 1.0, 0.0));
   return result;
 }
 
@@ -180,6 +186,26 @@ TEST_F(RetrievalTest, plansAnewWhereTheRobotCannotFollow) {
   EXPECT_TRUE(outcome.success);
   EXPECT_EQ(outcome.plans, 3);
   EXPECT_EQ(outcome.collisions, 0);
+}
+
+// Until it moves: from elsewhere the robot may be able to be there.
+TEST_F(RetrievalTest, tellsThePlannerWhereTheRobotCannotFollow) {
+  MotionResult touch;
+  touch.end = MotionEnd::kContact;
+  robot_.script = {refusal(), refusal(), touch, refusal()};
+  EXPECT_TRUE(run(parameters()).success);
+  EXPECT_EQ(planner_.avoided, (std::vector<std::size_t>{0, 1, 2, 0, 1}));
+}
+
+TEST_F(RetrievalTest, staysWhereItIsWhileThePlannerCannotBeAsked) {
+  planner_.failures = 100;
+  planner_.out = "no answer";
+  RetrievalParameters few = parameters();
+  few.max_failed_plans = 3;
+  const RetrievalOutcome outcome = run(few);
+  EXPECT_FALSE(outcome.success);
+  EXPECT_EQ(outcome.reason, "no plan in 3 attempts; the last said: walled in");
+  EXPECT_TRUE(robot_.calls.empty());
 }
 
 TEST_F(RetrievalTest, givesUpWithTheReasonWhenTheRobotRefusesEveryPlan) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "smore/common/geometry.h"
@@ -21,6 +22,8 @@ struct MotionResult {
   std::string reason;   ///< in words for the user; empty for kReached and kContact
   double length = 0.0;  ///< executed length of the object frame's origin [m]
   bool set_out = true;  ///< false: in contact before it began, so that it says nothing of its path
+  /// T_world_object of the first place of the path where the robot cannot be; for kUnreachable.
+  std::optional<Pose> refused_at = std::nullopt;
 };
 
 /// A robot that carries the object, as the retrieval loop knows it: simulated in this process,

@@ -111,6 +111,9 @@ class MotionGuard {
   /// Where the joints are and how fast, in the order of the names, its time their stamp; nothing
   /// where that is older than `max_lateness`.
   std::optional<JointTrajectoryPoint> joints(double now) const;
+  /// The same as long as it is no older than 0.05 s, too: a brake leads back to where the joints
+  /// were, in no more time than it takes, and would throw an arm that has gone on for longer.
+  std::optional<JointTrajectoryPoint> jointsToBrakeFrom(double now) const;
 
   /// Latches a fault of the caller's own, such as a user's stop.
   void stop(const std::string& reason);

@@ -10,6 +10,7 @@
 #include "smore/kinematics/arm_collision.h"
 #include "smore/kinematics/arm_model.h"
 #include "smore/kinematics/inverse_kinematics.h"
+#include "smore/kinematics/way.h"
 #include "smore/scenario/scenario.h"
 
 namespace smore {
@@ -64,16 +65,20 @@ class ArmMotion {
   /// and joints, starts and ends at rest, and does not stop at poses where the path bends little.
   /// The whole of it is checked: the reason names the first pose that is out of reach, near a
   /// singularity or a limit, or where links would collide; a joint that stands nearer to a limit
-  /// than the margin may move away from it. No points where `now` is at the end of the path
-  /// already. InputError for poses that are not finite.
-  Result<JointTrajectory> trajectory(const JointVector& now, const Path& path) const;
+  /// than the margin may move away from it. Of a way back only reach and the limits themselves are
+  /// checked. No points where `now` is at the end of the path already. InputError for poses that
+  /// are not finite. `refused_at`, unless null, receives T_world_object of the pose that is named.
+  Result<JointTrajectory> trajectory(const JointVector& now, const Path& path, Way way = Way::kNew,
+                                     Pose* refused_at = nullptr) const;
 
  private:
-  Result<JointVector> next(const JointVector& now, const Pose& T_world_object,
-                           const JointVector& start) const;
+  /// By the branch of `now`, without asking whether the arm may be there.
+  Result<JointVector> next(const JointVector& now, const Pose& T_world_object) const;
   /// `start`: where the motion began; null for a configuration that none leads to.
   Result<bool> checkConfiguration(const JointVector& q, const JointVector* start = nullptr) const;
-  Result<std::vector<JointVector>> resolve(const JointVector& now, const Path& path) const;
+  Result<bool> checkLimits(const JointVector& q) const;
+  Result<std::vector<JointVector>> resolve(const JointVector& now, const Path& path, Way way,
+                                           Pose* refused_at = nullptr) const;
   JointVector nearestTurns(const JointVector& q) const;
   /// Smallest singular value times a factor for each joint that is 1 in the middle of its range and
   /// 0 at its limits.

@@ -11,6 +11,7 @@
 #include "smore/common/result.h"
 #include "smore/kinematics/tool_gap.h"
 #include "smore/kinematics/urdf_model.h"
+#include "smore/kinematics/way.h"
 #include "smore/scenario/scenario.h"
 
 namespace smore {
@@ -29,9 +30,11 @@ class JointCommands {
   ///
   /// At `now` the object is seen at `seen` (T_world_object). What it is off there from where joints
   /// and description have it is taken to stay the same in the object's axes, so that the object is
-  /// seen along the path, and the motion begins without a jump.
+  /// seen along the path, and the motion begins without a jump. `refused_at`, unless null, receives
+  /// where on the path it is seen at the first pose that the robot cannot reach.
   virtual Result<JointTrajectory> along(const std::vector<double>& now, const Pose& seen,
-                                        const Path& path) const = 0;
+                                        const Path& path, Way way,
+                                        Pose* refused_at = nullptr) const = 0;
 
   /// How far the tool is seen, by the object's pose `seen` (T_world_object), from where joints and
   /// description have it, in the axes of the tool: identity where both agree. Nothing for a robot

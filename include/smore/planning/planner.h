@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "smore/common/geometry.h"
@@ -34,10 +36,20 @@ class Planner {
     return Failure{"this planner knows no path that is less certain"};
   }
 
+  /// Places (T_world_object) where the robot cannot be on a way from where it stands: the next
+  /// plans pass beside them, if there is another way. None at first. A planner that finds other
+  /// paths at each call need not heed them.
+  void avoid(std::vector<Pose> refused) { refused_ = std::move(refused); }
+
+  /// Why the last plan could not be asked for, in words for the user; empty where it was searched
+  /// for, found or not.
+  virtual std::string outage() const { return ""; }
+
   /// Whether plans carry the tree of their search, which takes time. They do not at first.
   void keepTree(bool keep) { keep_tree_ = keep; }
 
  protected:
+  std::vector<Pose> refused_;
   bool keep_tree_ = false;
 };
 

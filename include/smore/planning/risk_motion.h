@@ -38,6 +38,13 @@ struct MotionCost {
 /// have a unit, by which they are checked.
 double checkDistance(const SampledWorlds& worlds);
 
+/// A place where the robot cannot be, and how far around it no motion may pass, in the metric of
+/// RiskMotions [m].
+struct BarredPlace {
+  RiskState place;
+  double radius = 0.0;
+};
+
 /// Straight motions in the sampled worlds and the metric in which the search measures them.
 class RiskMotions {
  public:
@@ -49,7 +56,11 @@ class RiskMotions {
   float squaredDistance(const RiskState& a, const RiskState& b) const;
   double distance(const RiskState& a, const RiskState& b) const;
 
-  /// Cost of a motion; its first pose is not looked at. A forbidden turn has an infinite length.
+  /// From now on no motion may pass there. Its radius positive.
+  void bar(const BarredPlace& barred) { barred_.push_back(barred); }
+
+  /// Cost of a motion; its first pose is not looked at. A forbidden one has an infinite length: one
+  /// that turns too far, or passes a barred place.
   MotionCost cost(const RiskState& from, const RiskState& to) const;
 
   /// The same, or nothing as soon as `hopeless` says so of a part of the cost: all of the length,
@@ -63,12 +74,15 @@ class RiskMotions {
 
  private:
   int steps(const RiskState& from, const RiskState& to) const;
+  bool isForbidden(const RiskState& from, const RiskState& to) const;
   bool turnsTooFar(const RiskState& from, const RiskState& to) const;
+  bool passes(const BarredPlace& barred, const RiskState& from, const RiskState& to) const;
 
   const SampledWorlds* worlds_;
   float lever_;
   bool full_turns_;
   double check_;  ///< distance of neighbouring checks [m]
+  std::vector<BarredPlace> barred_;
 };
 
 }  // namespace smore

@@ -44,7 +44,9 @@ struct RiskPlannerParameters {
 /// the limit raised rung by rung until there are paths; in space also ways in another posture, and
 /// the best paths of earlier searches. Of these, improved by shortcuts and moves, the one with the
 /// best objective over the joint samples (docs/planning.md (P3)). There is always a path unless
-/// start or goal lie outside of the workspace: at the last rung everything is allowed.
+/// start or goal lie outside of the workspace: at the last rung everything is allowed. Places to
+/// avoid are passed at a step of the trees, or at half of their distance from start and goal, where
+/// the search finds such a way.
 ///
 /// The same seed and the same calls give the same paths, unless the time limit ends a search.
 class RiskPlanner : public Planner {
@@ -58,6 +60,8 @@ class RiskPlanner : public Planner {
  private:
   struct Search;
   struct Trees;
+  /// A plan that does not pass these places.
+  Result<Plan> planBeside(const std::vector<Pose>& refused, const Pose& start, const Pose& goal);
   void remember(const std::vector<RiskPath>& paths);
   std::vector<RiskPath> climb(Search* search) const;
   /// Touches that are taken to have come of matter that nobody knew of.

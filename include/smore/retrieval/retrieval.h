@@ -93,6 +93,7 @@ class Retrieval {
   /// True if the retrieval is over.
   bool execute(const Plan& plan);
   MotionResult follow(const Plan& plan);
+  void noteRefusal(const MotionResult& motion);
   bool recover();
   bool finish(bool success, const std::string& reason);
 
@@ -104,9 +105,10 @@ class Retrieval {
   RetrievalProgress progress_;
   RetrievalOutcome outcome_;
   RiskCalibration calibration_{parameters_.motion};
-  double planned_risk_ = 0.0;  ///< of the present plan, as the planner stated it
-  int refused_ = 0;            ///< paths in a row that the robot could not follow
-  int missed_ = 0;             ///< motions in a row that ended beside the goal
+  double planned_risk_ = 0.0;     ///< of the present plan, as the planner stated it
+  int refused_ = 0;               ///< paths in a row that the robot could not follow
+  std::vector<Pose> refused_at_;  ///< where these could not be followed from here
+  int missed_ = 0;                ///< motions in a row that ended beside the goal
   Pose last_contact_pose_ = Pose::Identity();
   std::atomic<bool> stop_requested_{false};
 };

@@ -38,7 +38,8 @@ class MethodReplica {
 
   /// `relaxed`: as Planner::planRelaxed. Plans carry their trees. A failure, with the reason, where
   /// the goal is not in the space of motions.
-  Result<Plan> plan(const Pose& start, const Pose& goal, bool relaxed = false);
+  Result<Plan> plan(const Pose& start, const Pose& goal, bool relaxed = false,
+                    std::vector<Pose> refused = {});
 
   /// As TouchPlanner::nextTouch.
   Result<Path> nextTouch(const Pose& from) { return method_.touches->nextTouch(from); }

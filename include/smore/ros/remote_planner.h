@@ -22,12 +22,14 @@ class RemotePlanner : public Planner {
   bool waitUntilReady(double timeout);
 
   Result<Plan> plan(const Pose& start, const Pose& goal) override;
+  std::string outage() const override { return outage_; }
   Result<Plan> planRelaxed(const Pose& start, const Pose& goal) override;
 
  private:
   Result<Plan> ask(const Pose& start, const Pose& goal, bool relaxed);
 
   std::string world_frame_;
+  std::string outage_;
   const RosRobot* robot_;
   ros::NodeHandle node_;
   ros::ServiceClient client_;

@@ -46,8 +46,12 @@ class RosRobot : public Robot {
   std::string waitUntilReady();
 
   /// To be told of each goal's end. After one that failed in its motions, what presses until the
-  /// object is free is what the robot met on its way.
-  void endGoal(bool success) { press_.endGoal(success); }
+  /// object is free is what the robot met on its way. After one that did not, no way leads back: it
+  /// would lead the object into what it has come out of.
+  void endGoal(bool success) {
+    press_.endGoal(success);
+    if (success) trail_.clear();
+  }
 
   /// Whether the object touches, when that was last known, what it met on its way, and the robot
   /// knows that way. A sensor that is not tared, or feels hardly anything, is no sign of a touch.
@@ -96,7 +100,7 @@ class RosRobot : public Robot {
   std::string guardFault() const;
   /// Nothing if none comes within the silence timeout, or the user asks for the stop meanwhile.
   std::optional<ContactObservation> nextObservation();
-  Motion begin(const Path& path);
+  Motion begin(const Path& path, Way way);
   Step advance(Motion* motion);
   /// Of the robot's program, which moves it.
   void onProgram(bool runs);

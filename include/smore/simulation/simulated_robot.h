@@ -45,6 +45,14 @@ class SimulatedRobot {
   /// InputError for a pose that is not finite; the motion goes on as it was.
   virtual std::optional<Failure> follow(const Path& path) = 0;
 
+  /// The same along a way that the robot has come: only reach and its joints' own limits can keep
+  /// it from that.
+  virtual std::optional<Failure> goBack(const Path& path) = 0;
+
+  /// T_world_object of the first place on the last path where the robot cannot be; nothing where it
+  /// can follow it.
+  virtual std::optional<Pose> refusedAt() const = 0;
+
   /// Replaces the commanded motion by one of the joints, which starts now. No points: stay here.
   /// Gives the reason where the robot cannot do it: it stays where it is. InputError for unknown
   /// joints, values that are not finite or times that do not rise; the motion goes on as it was.
