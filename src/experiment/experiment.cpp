@@ -123,7 +123,7 @@ TrialResult runTrial(const Scenario& scenario, const ExperimentParameters& param
     method.touches = std::move(asked);
   }
   const auto recording = startRecording(scenario, parameters, seed, scene, priors, *simulated);
-  InProcessRobot robot(simulated.get(), sensingParameters(scene), seed,
+  InProcessRobot robot(simulated.get(), sensingParameters(scene, *simulated), seed,
                        [&](const ContactObservation& observation) {
                          if (recording) recording->observe(observation);
                          method.observe(observation);

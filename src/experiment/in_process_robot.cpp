@@ -26,7 +26,7 @@ MotionResult fault(const std::string& reason) {
 
 }  // namespace
 
-ContactSensingParameters sensingParameters(const Scenario& scenario) {
+ContactSensingParameters sensingParameters(const Scenario& scenario, const SimulatedRobot& robot) {
   ContactSensingParameters parameters;
   parameters.detector.contact_force = scenario.contact_force;
   parameters.detector.free_force = scenario.free_force;
@@ -36,6 +36,7 @@ ContactSensingParameters sensingParameters(const Scenario& scenario) {
   parameters.noise.force_drift = scenario.wrench_noise.force_drift;
   parameters.line.added_direction_stddev = scenario.line_noise.direction;
   parameters.line.added_offset_stddev = scenario.line_noise.offset;
+  if (tiltsPayload(scenario)) parameters.payload = robot.payload();
   return parameters;
 }
 

@@ -51,10 +51,11 @@ SteppedTrial::SteppedTrial(const Scenario& scenario, std::uint64_t seed,
   scene_ = perturbScenario(scenario, seed);
   simulated_ = makeSimulatedRobot(scene_, seed);
   if (maps) maps_ = mapsOf(*maps, scenario, scene_, seed);
-  robot_ = std::make_unique<InProcessRobot>(simulated_.get(), sensingParameters(scene_), seed,
-                                            [this](const ContactObservation& observation) {
-                                              if (maps_) maps_->observe(observation);
-                                            });
+  robot_ =
+      std::make_unique<InProcessRobot>(simulated_.get(), sensingParameters(scene_, *simulated_),
+                                       seed, [this](const ContactObservation& observation) {
+                                         if (maps_) maps_->observe(observation);
+                                       });
 }
 
 StepOutcome SteppedTrial::step(const Eigen::VectorXd& action) {

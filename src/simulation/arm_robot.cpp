@@ -134,6 +134,11 @@ WrenchSample ArmRobot::advance() {
   return sample;
 }
 
+Payload ArmRobot::payload() const {
+  const MassProperties& carried = load_.body().mass;
+  return {carried.mass, carried.mass * (T_sensor_object().inverse() * carried.center)};
+}
+
 void ArmRobot::advanceSubstep() {
   joints_.advance(kStep);
   arm_.arm().setTarget(joints_.positions(), joints_.velocities());

@@ -37,6 +37,7 @@ class ArmRobot : public SimulatedRobot {
   std::optional<Failure> moveGripper(double position) override;
   WristReading reading() const override { return reading_; }
   Pose T_sensor_object() const override { return motion_.T_tool_object(); }
+  Payload payload() const override;
   double time() const override;
   Pose pose() const override;
   std::vector<std::string> jointNames() const override { return arm_.arm().jointNames(); }

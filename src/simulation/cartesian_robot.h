@@ -31,6 +31,7 @@ class CartesianRobot : public SimulatedRobot {
   std::optional<Failure> moveGripper(double position) override;
   WristReading reading() const override { return reading_; }
   Pose T_sensor_object() const override { return Pose::Identity(); }
+  Payload payload() const override { return {}; }
   double time() const override;
   Pose pose() const override { return hand_.pose(); }
   std::vector<std::string> jointNames() const override;

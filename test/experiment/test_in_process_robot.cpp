@@ -6,6 +6,7 @@
 #include "distance_to_line.h"
 #include "peg_in_fork.h"
 #include "smore/experiment/in_process_robot.h"
+#include "smore/scenario/scenario.h"
 #include "smore/simulation/simulated_robot.h"
 
 namespace smore {
@@ -64,6 +65,25 @@ TEST(InProcessRobot, feelsTheLineOfATouchWithTheEndOfALongBar) {
   ASSERT_EQ(robot.follow({scenario.goal}).end, MotionEnd::kContact);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_LT(distanceToLine(lines[0], Vec3(-0.1, 0.7, 0.0)), 0.005);
+}
+
+// Gripper and object weigh more than the least force of a contact.
+TEST(InProcessRobot, takesNoWeightForAContactWhereAnArmTiltsIt) {
+  Scenario scenario = loadScenario(SMORE_SOURCE_DIR "/config/scenarios/ur5e_one_peg_quiet.yaml");
+  scenario.environment.resize(0);
+  scenario.motion = Motion::kSpatial;
+  scenario.workspace.max.z() = 0.5;
+  scenario.start.translation() = Vec3(0.5, 0.0, 0.4);
+  const auto simulated = makeSimulatedRobot(scenario, 1);
+  ContactObservation newest;
+  InProcessRobot robot(simulated.get(), sensingParameters(scenario, *simulated), 1,
+                       [&newest](const ContactObservation& seen) { newest = seen; });
+  const Pose tilted = scenario.start * Eigen::AngleAxisd(0.6, Vec3::UnitY());
+  const MotionResult motion = robot.follow({scenario.start, tilted});
+  EXPECT_EQ(motion.end, MotionEnd::kReached) << motion.reason;
+  EXPECT_EQ(newest.state, ContactState::kFree);
+  EXPECT_LT(robot.wrench().force.norm(), 0.5);
+  EXPECT_LT(robot.wrench().torque.norm(), 0.1);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(SteppedTrialTest, feelsForTheSameMotionWhatTheExperimentFeels) {
   SteppedTrial trial(fork(), kSeed);
   const Scenario scene = perturbScenario(fork(), kSeed);
   const auto simulated = makeSimulatedRobot(scene, kSeed);
-  InProcessRobot robot(simulated.get(), sensingParameters(scene), kSeed,
+  InProcessRobot robot(simulated.get(), sensingParameters(scene, *simulated), kSeed,
                        [](const ContactObservation& /*observation*/) {});
   // Along the prongs, then against one.
   for (const auto& action : {planar(-0.03, 0, 0), planar(-0.02, 0, 0), planar(0, 0.02, 0)}) {

@@ -15,8 +15,9 @@ namespace smore {
 /// joint that does not hold itself): such a one would end no motion later.
 void requireNoFaultAtStart(const SimulatedRobot& robot);
 
-/// The contact sensing of a scenario's trials: its thresholds, and the noise that it declares.
-ContactSensingParameters sensingParameters(const Scenario& scenario);
+/// The contact sensing of a scenario's trials: its thresholds, the noise that it declares, and the
+/// weight of what an arm carries where its motions tilt that.
+ContactSensingParameters sensingParameters(const Scenario& scenario, const SimulatedRobot& robot);
 
 /// Wall time spent in the parts of the loop [s].
 struct LoopTimes {

@@ -9,6 +9,7 @@
 #include "smore/common/joint_trajectory.h"
 #include "smore/common/result.h"
 #include "smore/contact/contact_observation.h"
+#include "smore/contact/payload.h"
 #include "smore/kinematics/urdf_model.h"
 #include "smore/scenario/scenario.h"
 #include "smore/simulation/wrench_sensor.h"
@@ -95,6 +96,10 @@ class SimulatedRobot {
 
   /// Simulated time [s].
   virtual double time() const = 0;
+
+  /// What the wrist carries while it holds the object, as somebody who has weighed it would state
+  /// it; no mass where the wrist does not feel it.
+  virtual Payload payload() const = 0;
 
   /// T_world_object by the joints: of the object as it was held at the start.
   virtual Pose pose() const = 0;
