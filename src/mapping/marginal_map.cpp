@@ -2,11 +2,7 @@
 #include "smore/mapping/marginal_map.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
-
-#include "smore/mapping/mask_bricks.h"
-#include "smore/mapping/sheet_voxels.h"
 
 namespace smore {
 namespace {
@@ -14,104 +10,71 @@ namespace {
 // Probabilities stay off 0 and 1 by less than what one of the 64 worlds counts.
 constexpr double kLeastProbability = 0.005;
 
-// The worlds in which voxels hold matter.
+// The masks of voxels, beside the empty grid that will hold their shares.
 class MaskedVoxels {
  public:
-  explicit MaskedVoxels(double voxel_size) : voxel_size_(voxel_size) {}
+  explicit MaskedVoxels(VoxelGrid* grid) : grid_(grid) {}
+
+  void add(const VoxelKey& key, HypothesisMask mask) {
+    const auto known = grid_->find(key);
+    const std::size_t position = known ? *known : grid_->set(key, 0.0F);
+    if (!known) masks_.push_back(0);
+    masks_[position] |= mask;
+  }
 
   // The voxel that holds the ball's centre, and each whose own centre the ball holds.
   void addBall(const Vec3& center, double radius, HypothesisMask mask) {
+    const double size = grid_->voxelSize();
     constexpr double kVoxels = std::numeric_limits<std::int16_t>::max();
-    if (center.cwiseAbs().maxCoeff() + radius >= kVoxels * voxel_size_) return;
-    add(voxelAt(center, voxel_size_), mask);
-    const VoxelKey low = voxelAt(center - Vec3::Constant(radius), voxel_size_);
-    const VoxelKey high = voxelAt(center + Vec3::Constant(radius), voxel_size_);
-    visitVoxels(low, high, [&](const VoxelKey& near) {
-      if ((voxelCenter(near, voxel_size_) - center).norm() <= radius) add(near, mask);
-    });
-  }
-
-  void addSheet(const SurfaceSheet& sheet, const Pose& T_grid_sheet, HypothesisMask mask) {
-    visitSheet(sheet, T_grid_sheet, voxel_size_, [&](const VoxelKey& key) { add(key, mask); });
-  }
-
-  VoxelGrid shares() const {
-    VoxelGrid grid(voxel_size_);
-    for (const MaskBricks::Cell& lowest : masks_.bricks()) addShares(lowest, &grid);
-    return grid;
-  }
-
- private:
-  void add(const VoxelKey& key, HypothesisMask mask) { masks_.mark(key.x, key.y, key.z, mask); }
-
-  void addShares(const MaskBricks::Cell& lowest, VoxelGrid* grid) const {
-    const auto visit = [&](const VoxelKey& key) {
-      const HypothesisMask mask = masks_.at(key.x, key.y, key.z);
-      if (mask == 0) return;
-      const double share =
-          std::clamp(SampledWorlds::shareOf(mask), kLeastProbability, 1.0 - kLeastProbability);
-      grid->set(key, static_cast<float>(share));
-    };
-    constexpr int kLast = MaskBricks::kSide - 1;
-    visitVoxels(keyOf(lowest), keyOf({lowest[0] + kLast, lowest[1] + kLast, lowest[2] + kLast}),
-                visit);
-  }
-
-  static VoxelKey keyOf(const MaskBricks::Cell& cell) {
-    return {static_cast<std::int16_t>(cell[0]), static_cast<std::int16_t>(cell[1]),
-            static_cast<std::int16_t>(cell[2])};
-  }
-
-  double voxel_size_;
-  MaskBricks masks_;
-};
-
-// A map of one side while it is made.
-class MapInTheMaking {
- public:
-  MapInTheMaking(const Pose& T_grid_matter, double voxel_size)
-      : T_grid_matter_(T_grid_matter), voxels_(voxel_size) {}
-
-  void add(const std::vector<MaskedPoint>& balls, double radius) {
-    for (const MaskedPoint& ball : balls) {
-      voxels_.addBall(T_grid_matter_ * ball.point.cast<double>(), radius, ball.mask);
-    }
-  }
-  void add(const std::vector<KnownBalls>& pieces) {
-    for (const KnownBalls& known : pieces) add(known.balls, known.radius);
-  }
-  void add(const SheetsByHypothesis& sheets) {
-    for (int m = 0; m < kHypotheses; ++m) {
-      for (const SurfaceSheet& sheet : sheets[m]) {
-        voxels_.addSheet(sheet, T_grid_matter_, HypothesisMask{1} << m);
+    if (center.cwiseAbs().maxCoeff() + radius >= kVoxels * size) return;
+    const VoxelKey key = voxelAt(center, size);
+    add(key, mask);
+    const VoxelKey low = voxelAt(center - Vec3::Constant(radius), size);
+    const VoxelKey high = voxelAt(center + Vec3::Constant(radius), size);
+    VoxelKey near;
+    for (near.z = low.z; near.z <= high.z; ++near.z) {
+      for (near.y = low.y; near.y <= high.y; ++near.y) {
+        for (near.x = low.x; near.x <= high.x; ++near.x) {
+          if ((voxelCenter(near, size) - center).norm() <= radius) add(near, mask);
+        }
       }
     }
   }
-  VoxelGrid made() const { return voxels_.shares(); }
+
+  void store() {
+    for (std::size_t i = 0; i < masks_.size(); ++i) {
+      const double share =
+          std::clamp(SampledWorlds::shareOf(masks_[i]), kLeastProbability, 1.0 - kLeastProbability);
+      grid_->setAt(i, static_cast<float>(share));
+    }
+  }
 
  private:
-  Pose T_grid_matter_;
-  MaskedVoxels voxels_;
+  VoxelGrid* grid_;
+  std::vector<HypothesisMask> masks_;
 };
 
 }  // namespace
 
 VoxelGrid marginalMap(const Worlds& worlds, MapSide side, double voxel_size) {
+  VoxelGrid grid(voxel_size);
+  MaskedVoxels voxels(&grid);
   const bool of_object = side == MapSide::kObject;
   const Pose T_grid_matter = of_object ? Pose::Identity() : worlds.frame.T_map_world().inverse();
-  MapInTheMaking map(T_grid_matter, voxel_size);
-  for (const WorldsAtUnit& part : worlds.sampled.parts()) {
-    if (of_object) {
-      map.add(part.object(), part.radius());
-      map.add(part.behindObject(), part.radius());
-    } else if (part.planar()) {
-      map.add(part.world(), part.radius());
-    } else {
-      map.add(part.worldSheets());
+  const auto add = [&](const std::vector<MaskedPoint>& balls, double radius) {
+    for (const MaskedPoint& ball : balls) {
+      voxels.addBall(T_grid_matter * ball.point.cast<double>(), radius, ball.mask);
     }
-    map.add(of_object ? part.knownObject() : part.knownWorld());
+  };
+  for (const WorldsAtUnit& part : worlds.sampled.parts()) {
+    add(of_object ? part.object() : part.world(), part.radius());
+    if (of_object) add(part.behindObject(), part.radius());
+    for (const KnownBalls& known : of_object ? part.knownObject() : part.knownWorld()) {
+      add(known.balls, known.radius);
+    }
   }
-  return map.made();
+  voxels.store();
+  return grid;
 }
 
 const VoxelGrid& MarginalMaps::of(const std::shared_ptr<const Worlds>& worlds, MapSide side) {

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include "smore/common/parallel_for.h"
 #include "smore/mapping/counter_random.h"
@@ -28,6 +27,16 @@ constexpr float kFilledCells = 2.0F;
 // friction with a coefficient of .3, in any direction. The coefficient is our choice.
 constexpr float kFrictionTilt = 0.2F;
 
+// Points are merged and looked up on lattices that are fine against the balls.
+float latticeCell(const FeatureParameters& feature) {
+  return static_cast<float>(feature.conflictDistance()) / 3.0F;
+}
+
+// Spread evenly over all orders of magnitude between the two.
+double sizeOf(int hypothesis, double shortest, double longest) {
+  return shortest * std::pow(longest / shortest, (hypothesis + 0.5) / kHypotheses);
+}
+
 // The object's size, its depth and the world's size are drawn independently: further orders of the
 // hypotheses.
 int secondOrder(int hypothesis) { return (37 * hypothesis + 11) % kHypotheses; }
@@ -48,8 +57,8 @@ SurfaceExtents::SurfaceExtents(const WorldSamples& samples, const FeatureParamet
       extent_(extent),
       planar_(planar),
       seed_(seed),
-      object_(matterCell(feature)),
-      world_(matterCell(feature)) {
+      object_(latticeCell(feature)),
+      world_(latticeCell(feature)) {
   addTouches();
   grow(MapSide::kObject);
   grow(MapSide::kWorld);
@@ -82,45 +91,83 @@ std::vector<SurfaceExtents::Touch> SurfaceExtents::touches(MapSide side, int hyp
 // Each hypothesis by itself, on all processor cores; what comes out does not depend on how many
 // there are.
 void SurfaceExtents::grow(MapSide side) {
-  using Known = MatterLimits::Known;
-  const bool on_object = side == MapSide::kObject;
-  MatterLimits limits(side, on_object ? world_.points() : object_.points(), samples_.evidence,
-                      samples_.prior, feature_, planar_);
+  const std::vector<ForbiddenMatter> forbidden = forbiddenFor(side);
   std::array<std::vector<Eigen::Vector3f>, kHypotheses> grown;
   TouchedByHypothesis touched;
   parallelFor(kHypotheses, [&](std::size_t i) {
     const int m = static_cast<int>(i);
-    const MatterAllowed allowed = limits.allowedFor(m, Known::kIsNotTouched);
-    touched[m] = touchedPatches(side, m, limits.allowedFor(m, Known::kMatterGoesOn));
+    const MatterAllowed allowed = allowedFor(side, m, forbidden, Known::kIsNotTouched);
+    const MatterAllowed behind = allowedFor(side, m, forbidden, Known::kMatterGoesOn);
+    touched[m] = touchedPatches(side, m, behind);
     grown[m] = patches(side, m, touched[m], allowed);
-    if (on_object) {
+    if (side == MapSide::kObject) {
       const std::vector<Eigen::Vector3f> joints = joined(m, allowed);
       grown[m].insert(grown[m].end(), joints.begin(), joints.end());
     }
   });
-  MaskedPoints& matter = on_object ? object_ : world_;
+  MaskedPoints& matter = side == MapSide::kObject ? object_ : world_;
   for (int m = 0; m < kHypotheses; ++m) {
     for (const Eigen::Vector3f& point : grown[m]) matter.add(point, HypothesisMask{1} << m);
   }
-  if (planar_) return;
-  if (on_object) {
-    fillBehind(touched, limits);
-  } else {
-    sheets_ = WorldSheets(std::move(touched), std::move(limits), feature_, extent_, seed_);
-  }
+  if (side == MapSide::kObject && !planar_) fillBehind(touched, forbidden);
 }
 
-void SurfaceExtents::fillBehind(const TouchedByHypothesis& touched, const MatterLimits& limits) {
+void SurfaceExtents::fillBehind(const TouchedByHypothesis& touched,
+                                const std::vector<ForbiddenMatter>& forbidden) {
   std::vector<TouchedBall> balls;
   for (int m = 0; m < kHypotheses; ++m) {
     for (const TouchedPatch& at : touched[m]) {
       balls.push_back(ballBehind(at.patch, HypothesisMask{1} << m));
     }
   }
-  const float step = kFilledCells * matterCell(feature_);
+  const float step = kFilledCells * latticeCell(feature_);
   behind_object_ = fillBalls(balls, step, [&](const Eigen::Vector3f& point, HypothesisMask asked) {
-    return limits.forbiddenAt(point, asked, MatterLimits::Known::kIsNotTouched);
+    return forbiddenAt(MapSide::kObject, point, asked, forbidden, Known::kIsNotTouched);
   });
+}
+
+// By touched matter of the other side, and by what is known of it beforehand.
+std::vector<ForbiddenMatter> SurfaceExtents::forbiddenFor(MapSide side) const {
+  const bool on_object = side == MapSide::kObject;
+  std::vector<Eigen::Isometry3f> poses = samples_.evidence.poses();
+  if (on_object) {
+    for (Eigen::Isometry3f& T : poses) T = T.inverse();
+  }
+  const auto distance = static_cast<float>(feature_.conflictDistance());
+  const float cell = latticeCell(feature_);
+  std::vector<ForbiddenMatter> forbidden;
+  forbidden.emplace_back(on_object ? world_.points() : object_.points(), poses, distance, cell,
+                         planar_);
+  const MapSide other = on_object ? MapSide::kWorld : MapSide::kObject;
+  for (const KnownBalls& known : samples_.prior.balls(other)) {
+    forbidden.emplace_back(known.balls, poses, known.overlapDistance(feature_.radius), cell,
+                           planar_);
+  }
+  return forbidden;
+}
+
+HypothesisMask SurfaceExtents::forbiddenAt(MapSide side, const Eigen::Vector3f& point,
+                                           HypothesisMask asked,
+                                           const std::vector<ForbiddenMatter>& forbidden,
+                                           Known known) const {
+  const auto reach = static_cast<float>(feature_.reach);
+  if (side == MapSide::kObject && point.norm() > reach) return asked;
+  HypothesisMask result = known == Known::kMatterGoesOn ? samples_.prior.knowingFree(side, point)
+                                                        : samples_.prior.knowing(side, point);
+  for (const ForbiddenMatter& matter : forbidden) {
+    if ((asked & ~result) == 0) break;
+    result |= matter.at(point);
+  }
+  return result & asked;
+}
+
+MatterAllowed SurfaceExtents::allowedFor(MapSide side, int hypothesis,
+                                         const std::vector<ForbiddenMatter>& forbidden,
+                                         Known known) const {
+  const HypothesisMask bit = HypothesisMask{1} << hypothesis;
+  return [this, &forbidden, known, side, bit](const Eigen::Vector3f& point) {
+    return forbiddenAt(side, point, bit, forbidden, known) == 0;
+  };
 }
 
 bool SurfaceExtents::goesOnAlong(MapSide side) const { return planar_ || side == MapSide::kWorld; }
@@ -131,7 +178,7 @@ double SurfaceExtents::longestRadius(MapSide side) const {
 
 double SurfaceExtents::radiusOf(MapSide side, int hypothesis) const {
   const int order = side == MapSide::kObject ? secondOrder(hypothesis) : hypothesis;
-  return sizeOfHypothesis(order, extent_.shortest, longestRadius(side));
+  return sizeOf(order, extent_.shortest, longestRadius(side));
 }
 
 double SurfaceExtents::stepOf() const {
@@ -155,8 +202,8 @@ std::vector<TouchedPoint> SurfaceExtents::touchedPoints(MapSide side,
 
 // In space the world's surfaces lie as touches on the same surface say, but not the object's, which
 // is touched at corners there. In planar motion it has not been tried.
-std::vector<TouchedPatch> SurfaceExtents::touchedPatches(MapSide side, int hypothesis,
-                                                         const MatterAllowed& behind) const {
+std::vector<SurfaceExtents::TouchedPatch> SurfaceExtents::touchedPatches(
+    MapSide side, int hypothesis, const MatterAllowed& behind) const {
   const std::vector<Touch> those = touches(side, hypothesis);
   const std::vector<TouchedPoint> points = touchedPoints(side, those);
   const bool turns = !planar_ && side == MapSide::kWorld;
@@ -181,8 +228,7 @@ std::vector<TouchedPatch> SurfaceExtents::touchedPatches(MapSide side, int hypot
 
 int SurfaceExtents::objectDepth(int hypothesis, const std::vector<TouchedPatch>& touched,
                                 const MatterAllowed& behind) const {
-  const double drawn =
-      sizeOfHypothesis(thirdOrder(hypothesis), extent_.shortest, extent_.object_longest);
+  const double drawn = sizeOf(thirdOrder(hypothesis), extent_.shortest, extent_.object_longest);
   auto depth = static_cast<int>(drawn / stepOf());
   for (TouchedPatch at : touched) {
     at.patch.depth = depth;

@@ -12,11 +12,11 @@ namespace {
 
 using LatticePoint = std::array<int, 2>;
 
-// The nodes of a square lattice that are reached from its origin, which is the first, over
-// neighbours for which `enter` says yes; it is asked once for each of those for which `inside`
-// does, which lie within `most` steps along either axis.
+// The nodes of a square lattice that are reached from its origin over neighbours for which `enter`
+// says yes; it is asked once for each of those for which `inside` does, which lie within `most`
+// steps along either axis.
 template <typename Inside, typename Enter>
-std::vector<LatticePoint> flood(int most, const Inside& inside, const Enter& enter) {
+void flood(int most, const Inside& inside, const Enter& enter) {
   const int width = 2 * most + 1;
   std::vector<char> asked(static_cast<std::size_t>(width) * width, 0);
   const auto index = [&](const LatticePoint& at) { return (at[1] + most) * width + at[0] + most; };
@@ -30,7 +30,6 @@ std::vector<LatticePoint> flood(int most, const Inside& inside, const Enter& ent
       if (enter(next)) reached.push_back(next);
     }
   }
-  return reached;
 }
 
 // In planar motion the tangent and the way into the matter, otherwise two tangents.
@@ -48,33 +47,21 @@ Eigen::Vector3f pointBehind(const SurfacePatch& patch, int steps) {
   return patch.center - static_cast<float>(steps) * patch.step * patch.normal;
 }
 
-Eigen::Vector3f pointAt(const SurfacePatch& patch, const std::array<Eigen::Vector3f, 2>& axes,
-                        const LatticePoint& at) {
-  return patch.center +
-         patch.step * (static_cast<float>(at[0]) * axes[0] + static_cast<float>(at[1]) * axes[1]);
-}
-
-// Steps from the centre to the rim.
-int stepsOf(const SurfacePatch& patch) { return static_cast<int>(patch.radius / patch.step); }
-
-bool isWithin(int radius, const LatticePoint& at) {
-  return at[0] * at[0] + at[1] * at[1] <= radius * radius;
-}
-
 }  // namespace
 
 std::vector<Eigen::Vector3f> growPatch(const SurfacePatch& patch, bool planar,
                                        const MatterAllowed& allowed, CounterRandom* random) {
   std::vector<Eigen::Vector3f> points;
   const std::array<Eigen::Vector3f, 2> axes = latticeAxes(patch.normal, planar, random);
-  const int radius = stepsOf(patch);
+  const int radius = static_cast<int>(patch.radius / patch.step);
   const int depth = planar ? patch.depth : 0;
   const auto inside = [&](const LatticePoint& at) {
     if (planar) return std::abs(at[0]) <= radius && 0 <= at[1] && at[1] <= depth;
-    return isWithin(radius, at);
+    return at[0] * at[0] + at[1] * at[1] <= radius * radius;
   };
-  (void)flood(std::max(radius, depth), inside, [&](const LatticePoint& at) {
-    const Eigen::Vector3f point = pointAt(patch, axes, at);
+  flood(std::max(radius, depth), inside, [&](const LatticePoint& at) {
+    const Eigen::Vector3f point = patch.center + patch.step * (static_cast<float>(at[0]) * axes[0] +
+                                                               static_cast<float>(at[1]) * axes[1]);
     if (!allowed(point)) return false;
     points.push_back(point);
     return true;
@@ -83,25 +70,6 @@ std::vector<Eigen::Vector3f> growPatch(const SurfacePatch& patch, bool planar,
   const int behind = depthBehind(patch, allowed);
   for (int i = 1; i <= behind; ++i) points.push_back(pointBehind(patch, i));
   return points;
-}
-
-PatchCells::PatchCells(const SurfacePatch& patch, const MatterAllowed& allowed,
-                       CounterRandom* random)
-    : axes_(latticeAxes(patch.normal, false, random)), step_(patch.step), most_(stepsOf(patch)) {
-  const std::size_t width = 2 * most_ + 1;
-  held_.assign(width * width, 0);
-  const auto inside = [this](const LatticePoint& at) { return isWithin(most_, at); };
-  const auto enter = [&](const LatticePoint& at) { return allowed(pointAt(patch, axes_, at)); };
-  for (const LatticePoint& at : flood(most_, inside, enter)) {
-    held_[(at[1] + most_) * width + at[0] + most_] = 1;
-  }
-}
-
-bool PatchCells::hold(const Eigen::Vector3f& offset) const {
-  const auto x = static_cast<int>(std::lround(offset.dot(axes_[0]) / step_));
-  const auto y = static_cast<int>(std::lround(offset.dot(axes_[1]) / step_));
-  if (std::abs(x) > most_ || std::abs(y) > most_) return false;
-  return held_[(y + most_) * (2 * most_ + 1) + x + most_] != 0;
 }
 
 int depthBehind(const SurfacePatch& patch, const MatterAllowed& allowed) {

@@ -22,11 +22,10 @@ WorldsAtUnit::WorldsAtUnit(const WorldSamples& samples, const FeatureParameters&
       unknown_(samples.prior, samples.members, feature.reach, planar),
       known_object_(samples.prior.balls(MapSide::kObject)),
       known_world_(samples.prior.balls(MapSide::kWorld)) {
-  SurfaceExtents surfaces(samples, feature, extent, planar, seed);
+  const SurfaceExtents surfaces(samples, feature, extent, planar, seed);
   object_ = surfaces.object();
   behind_object_ = surfaces.behindObject();
   world_ = surfaces.world();
-  world_sheets_ = surfaces.takeWorldSheets();
 }
 
 const std::vector<MatterOverlap>& WorldsAtUnit::overlaps() const {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <utility>
+#include <array>
 #include <vector>
 
-#include "smore/mapping/matter_limits.h"
+#include "smore/mapping/forbidden_matter.h"
 #include "smore/mapping/surface_normals.h"
 #include "smore/mapping/surface_patch.h"
-#include "smore/mapping/world_sheets.h"
 #include "smore/mapping/worlds_at_unit.h"
 
 namespace smore {
@@ -38,9 +37,6 @@ class SurfaceExtents {
   /// behind them. It ends no surface of the world.
   const std::vector<MaskedPoint>& behindObject() const { return behind_object_; }
   const std::vector<MaskedPoint>& world() const { return world_.points(); }
-  /// In space, what the world's map is made of instead; of the points above none in planar motion.
-  /// May be taken once.
-  WorldSheets takeWorldSheets() { return std::move(sheets_); }
 
  private:
   void addTouches();
@@ -52,7 +48,23 @@ class SurfaceExtents {
   /// be false, nor on surfaces that it holds to be known.
   std::vector<Touch> touches(MapSide side, int hypothesis) const;
   void grow(MapSide side);
-  void fillBehind(const TouchedByHypothesis& touched, const MatterLimits& limits);
+  std::vector<ForbiddenMatter> forbiddenFor(MapSide side) const;
+  enum class Known {
+    kIsNotTouched,  ///< what is known beforehand, matter or nothing, is not claimed once more
+    kMatterGoesOn,  ///< known matter is matter
+  };
+  /// Those of the asked hypotheses in which no matter of that side may be centred at a point.
+  HypothesisMask forbiddenAt(MapSide side, const Eigen::Vector3f& point, HypothesisMask asked,
+                             const std::vector<ForbiddenMatter>& forbidden, Known known) const;
+  MatterAllowed allowedFor(MapSide side, int hypothesis,
+                           const std::vector<ForbiddenMatter>& forbidden, Known known) const;
+  struct TouchedPatch {
+    std::uint64_t id;  ///< of its contact
+    SurfacePatch patch;
+  };
+  using TouchedByHypothesis = std::array<std::vector<TouchedPatch>, kHypotheses>;
+  void fillBehind(const TouchedByHypothesis& touched,
+                  const std::vector<ForbiddenMatter>& forbidden);
   std::vector<TouchedPoint> touchedPoints(MapSide side, const std::vector<Touch>& touches) const;
   std::vector<TouchedPatch> touchedPatches(MapSide side, int hypothesis,
                                            const MatterAllowed& behind) const;
@@ -79,7 +91,6 @@ class SurfaceExtents {
   MaskedPoints object_;
   std::vector<MaskedPoint> behind_object_;
   MaskedPoints world_;
-  WorldSheets sheets_;
 };
 
 }  // namespace smore

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -29,28 +27,6 @@ struct SurfacePatch {
 /// random, and behind the centre.
 std::vector<Eigen::Vector3f> growPatch(const SurfacePatch& patch, bool planar,
                                        const MatterAllowed& allowed, CounterRandom* random);
-
-/// The cells of a square lattice in a patch's tangent plane, one step wide and turned at random,
-/// whose middles lie within its radius and can be reached as those of growPatch in space.
-class PatchCells {
- public:
-  PatchCells(const SurfacePatch& patch, const MatterAllowed& allowed, CounterRandom* random);
-
-  /// Whether a place beside the patch's centre [m] lies above or below one of these cells.
-  bool hold(const Eigen::Vector3f& offset) const;
-
- private:
-  std::array<Eigen::Vector3f, 2> axes_;
-  float step_;
-  int most_;                ///< cells from the one in the middle to the farthest
-  std::vector<char> held_;  ///< by row
-};
-
-/// A patch around the place that a contact touched.
-struct TouchedPatch {
-  std::uint64_t id;  ///< of the contact
-  SurfacePatch patch;
-};
 
 /// How far matter that is `allowed` goes on straight behind the centre, up to the depth [steps].
 int depthBehind(const SurfacePatch& patch, const MatterAllowed& allowed);

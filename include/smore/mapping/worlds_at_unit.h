@@ -12,11 +12,18 @@
 #include "smore/mapping/free_space_evidence.h"
 #include "smore/mapping/joint_distribution.h"
 #include "smore/mapping/matter_overlap.h"
-#include "smore/mapping/surface_sizes.h"
 #include "smore/mapping/unknown_places.h"
-#include "smore/mapping/world_sheets.h"
 
 namespace smore {
+
+/// How far touched matter goes on, in units of length: each world has one radius of all patches
+/// around its touches, in planar motion one of those around the object's, and one depth of the
+/// object behind its surface, log-uniform from the shortest to the longest.
+struct ExtentParameters {
+  double shortest = 0.2;        ///< as large as a patch that is just told from a point
+  double object_longest = 6.0;  ///< on the object and behind its surface: what a gripper holds
+  double world_longest = 6.0;   ///< in the world
+};
 
 /// The surroundings of a joint sample: all that WorldsAtUnit is made from. Views.
 struct WorldSamples {
@@ -56,13 +63,10 @@ class WorldsAtUnit {
   /// Centres of the balls of touched matter, in the object's and the map's frame.
   const std::vector<MaskedPoint>& object() const { return object_; }
   const std::vector<MaskedPoint>& world() const { return world_; }
-  bool planar() const { return planar_; }
   /// The same of the matter in the balls behind the object's touches (SurfaceExtents): maps tell of
   /// it, touches are not looked up in it.
   const std::vector<MaskedPoint>& behindObject() const { return behind_object_; }
   double radius() const { return radius_; }  ///< of these balls [m]
-  /// What the world's map in space is made of instead of world(); takes a moment.
-  SheetsByHypothesis worldSheets() const { return world_sheets_.all(); }
 
   /// Matter that was known beforehand.
   const std::vector<KnownBalls>& knownObject() const { return known_object_; }
@@ -98,7 +102,6 @@ class WorldsAtUnit {
   std::vector<MaskedPoint> object_;
   std::vector<MaskedPoint> behind_object_;
   std::vector<MaskedPoint> world_;
-  WorldSheets world_sheets_;
   std::vector<KnownBalls> known_object_;
   std::vector<KnownBalls> known_world_;
   std::unique_ptr<Overlaps> overlaps_ = std::make_unique<Overlaps>();
