@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "smore/mapping/octomap_export.h"
 #include "smore/scenario/solid_distance.h"
@@ -10,9 +11,9 @@
 namespace smore {
 namespace {
 
-std::optional<double> ratio(int part, int whole) {
+std::optional<double> ratio(std::int64_t part, std::int64_t whole) {
   if (whole == 0) return std::nullopt;
-  return static_cast<double>(part) / whole;
+  return static_cast<double>(part) / static_cast<double>(whole);
 }
 
 bool isOccupied(const VoxelGrid& grid, const VoxelKey& key) {
@@ -53,8 +54,8 @@ class RecallCount {
 
   const VoxelGrid& grid_;
   const SolidDistance& distance_;
-  int inside_ = 0;
-  int found_ = 0;
+  std::int64_t inside_ = 0;  ///< of a large wall more than an int holds
+  std::int64_t found_ = 0;
 };
 
 std::optional<double> recallOf(const VoxelGrid& grid, const SolidDistance& distance,

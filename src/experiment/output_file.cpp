@@ -35,8 +35,12 @@ std::string problemOfFile(const std::string& file, const std::vector<std::string
   }
   std::error_code none;  // what cannot be made shows below
   std::filesystem::create_directories(std::filesystem::path(file).parent_path(), none);
-  if (std::ofstream(file, std::ios::app)) return "";
-  return file + ": cannot be written; check its directory and its permissions";
+  const bool was_there = std::filesystem::exists(file, none);
+  if (!std::ofstream(file, std::ios::app)) {
+    return file + ": cannot be written; check its directory and its permissions";
+  }
+  if (!was_there) std::filesystem::remove(file, none);  // an empty one would pass for a result
+  return "";
 }
 
 std::string problemOfMapsDirectory(const std::string& directory,

@@ -55,10 +55,10 @@ void checkNames(const std::vector<smore::Evidence>& evidence) {
 }
 
 int run(const Arguments& arguments) {
+  std::vector<std::string> inputs = arguments.evidence;
+  inputs.push_back(arguments.method_parameters);
   const std::string problem =
-      arguments.output.empty()
-          ? ""
-          : smore::problemOfFile(arguments.output, {arguments.method_parameters});
+      arguments.output.empty() ? "" : smore::problemOfFile(arguments.output, inputs);
   if (!problem.empty()) {
     std::cerr << problem << std::endl;
     return smore::kInternalError;

@@ -130,7 +130,7 @@ class PriorMaker {
     } catch (const std::out_of_range&) {
       throw InputError("scenario " + scene_.name + ": prior: " + nameOf(entry) +
                        " has points too far away for the voxels of the maps; check its scale (of "
-                       "millimetres 0.001), position and offset");
+                       "millimetres 0.001), position and offset, or bound it by min and max");
     }
   }
 
@@ -204,6 +204,12 @@ class PriorMaker {
     std::vector<Vec3> points = entry.file.empty() ? entry.points : loadPointCloud(entry.file);
     for (Vec3& point : points) point = entry.pose * entry.scale.cwiseProduct(point);
     const Bounds extent = boundsOf(points);
+    const double size = (extent.max - extent.min).maxCoeff();
+    if (of_object_ && size > kLargestHeld) {
+      throw InputError("scenario " + scene_.name + ": prior: " + nameOf(entry) + " is " +
+                       std::to_string(size) + " m large, which no gripper holds; check its scale " +
+                       "(of millimetres 0.001)");
+    }
     Source source{nullptr, extent};
     source.matter.reserve(points.size());
     for (const Vec3& point : points) source.matter.push_back({point});

@@ -12,13 +12,15 @@
 #include <utility>
 
 #include "smore/common/result.h"
+#include "smore/scenario/mesh.h"
 #include "smore/scenario/solid_distance.h"
 #include "triangle_tree.h"
 
 namespace smore {
 namespace {
 
-// HACD's time grows faster than the number of triangles; so many take it about a second.
+// HACD's time grows faster than the number of triangles; so many take it seconds, and a minute
+// where faces are long and narrow.
 constexpr std::size_t kMaxTriangles = 2000;
 // Concavity of a part, in thousandths of the mesh's size; HACD scales the mesh to 1000.
 constexpr double kConcavity = 10.0;
@@ -176,6 +178,11 @@ void decompose(MeshShape* mesh) {
                      std::to_string(mesh->triangles.size()) +
                      " triangles, of which none is left where they are made fewer; give it with " +
                      std::to_string(kMaxTriangles) + " at most");
+  }
+  if (isConvex(*mesh)) {  // and HACD, to which it is no less work, would be slow to find that out
+    mesh->parts = {{cut.vertices, cut.triangles}};
+    mesh->parts_error = errorOf(*mesh);
+    return;
   }
   mesh->parts = partsOf(cut);
   mesh->parts_error = errorOf(*mesh);

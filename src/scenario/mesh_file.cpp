@@ -54,7 +54,10 @@ void checkFaces(const aiMesh& part, const std::string& file) {
     const aiFace& face = part.mFaces[i];
     for (unsigned k = 0; k < face.mNumIndices; ++k) {
       if (face.mIndices[k] < part.mNumVertices) continue;
-      throw InputError(file + ": a face has a vertex that is not there; export the mesh anew");
+      throw InputError(
+          file +
+          ": a face has a vertex that is not there; export the mesh anew, a PLY as ascii: of a "
+          "binary one a first byte that looks like a line end is left out");
     }
   }
 }

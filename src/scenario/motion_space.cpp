@@ -15,11 +15,21 @@ double yawOf(const Pose& pose) { return std::atan2(pose.linear()(1, 0), pose.lin
 
 bool inPlane(const MotionSpace& space, const Pose& T_world_object) {
   if (space.motion == Motion::kSpatial) return true;
-  constexpr double kTolerance = 1e-6;
+  // A tenth of a millimetre and of a milliradian: what people type, and above what a robot repeats.
+  constexpr double kTolerance = 1e-4;
   const Pose T_plane_object = space.T_world_plane.inverse() * T_world_object;
   const bool in_plane = std::abs(T_plane_object.translation().z()) <= kTolerance;
   const bool upright = (T_plane_object.linear().col(2) - Vec3::UnitZ()).norm() <= kTolerance;
   return in_plane && upright;
+}
+
+std::string besideThePlane(const MotionSpace& space, const Pose& T_world_object) {
+  const Pose T_plane_object = space.T_world_plane.inverse() * T_world_object;
+  const double tilt = std::acos(std::clamp(T_plane_object.linear()(2, 2), -1.0, 1.0));
+  std::ostringstream text;
+  text << std::abs(T_plane_object.translation().z()) << " m and " << tilt
+       << " rad beside the plane of motion";
+  return text.str();
 }
 
 }  // namespace
@@ -55,7 +65,7 @@ std::string MotionSpace::whyOutside(const Pose& T_world_object) const {
            describe(workspace.max);
   }
   if (inPlane(*this, T_world_object)) return "";
-  return describe(position) + " does not lie in the plane of motion";
+  return describe(position) + " is " + besideThePlane(*this, T_world_object);
 }
 
 bool MotionSpace::isBeside(const Pose& T_world_object) const {
@@ -64,12 +74,7 @@ bool MotionSpace::isBeside(const Pose& T_world_object) const {
 
 std::string MotionSpace::whyBeside(const Pose& T_world_object) const {
   if (!isBeside(T_world_object)) return "";
-  const Pose T_plane_object = T_world_plane.inverse() * T_world_object;
-  const double tilt = std::acos(std::clamp(T_plane_object.linear()(2, 2), -1.0, 1.0));
-  std::ostringstream text;
-  text << std::abs(T_plane_object.translation().z()) << " m and " << tilt
-       << " rad beside the plane of motion";
-  return text.str();
+  return besideThePlane(*this, T_world_object);
 }
 
 }  // namespace smore

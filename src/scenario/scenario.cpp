@@ -183,7 +183,8 @@ void checkInSpace(ParameterReader* reader, const Scenario& scenario) {
     if (!scenario.workspace.contains(pose.translation())) {
       reader->error(key, "outside of the workspace; move it or widen workspace.min and max");
     } else if (!scenario.motionSpace().contains(pose)) {
-      reader->error(key, "not in the x-y plane of the start pose; move it or use motion: spatial");
+      reader->error(key, scenario.motionSpace().whyOutside(pose) +
+                             ", the x-y plane of the start pose; move it or use motion: spatial");
     }
   };
   check("start", scenario.start);

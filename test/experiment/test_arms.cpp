@@ -28,7 +28,8 @@ TEST_P(ShippedArmScene, endsWithTheObjectAtTheGoal) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ShippedArmScene,
                          ::testing::Values("ur3e_one_peg_quiet", "ur5e_one_peg_quiet",
-                                           "ur10e_one_peg_quiet", "elbow_arm_one_peg_quiet"),
+                                           "ur10e_one_peg_quiet", "elbow_arm_one_peg_quiet",
+                                           "ur5e_one_peg_in_space"),
                          [](const auto& scene) { return scene.param; });
 
 // What touches from the beginning would end no motion.

@@ -112,6 +112,8 @@ expect 2 "evidence is required"
 expect 2 "/nowhere: cannot be read" /nowhere
 expect 2 "not a record" "$reference"
 expect 1 "cannot be written" --output /proc/nowhere/scores.json "$evidence"
+cp "$evidence" "$directory/copy.jsonl"
+expect 1 "is read as well" --output "$directory/copy.jsonl" "$directory/copy.jsonl"
 expect 2 "belief.radios: unknown key" --parameters "$directory/parameters.yaml" "$evidence"
 grep -v '"truth"' "$evidence" >"$directory/live.evidence"
 expect 2 "holds no true solids" "$directory/live.evidence"

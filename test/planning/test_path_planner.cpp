@@ -170,7 +170,7 @@ TEST(PathPlannerTest, saysWhatIsWrongWithTheEnds) {
   expectReason(planInRoom(goal, Pose::Identity(), left), "the start (0.5 0 0) is in collision");
   expectReason(planInRoom(Pose::Identity(), goal, left), "the goal (0.5 0 0) is in collision");
   expectReason(planInRoom(Pose::Identity(), makePose(Vec3::Zero(), Vec3(0.1, 0, 0)), everywhere),
-               "does not lie in the plane");
+               "beside the plane of motion");
   Pose not_a_pose = goal;
   not_a_pose.translation().x() = std::nan("");
   expectReason(planInRoom(Pose::Identity(), not_a_pose, everywhere), "the goal is not finite");

@@ -126,6 +126,23 @@ TEST_F(ConvexParts, ofAFineThreadAreRefusedWithARemedy) {
   }
 }
 
+// Too fine for a hull, and as it is round without flat faces that could be joined.
+TEST_F(ConvexParts, ofAFineEggAreOneAndQuick) {
+  MeshShape egg = tessellate({SphereShape{0.1}, Pose::Identity()});
+  for (Vec3& vertex : egg.vertices) vertex.z() *= 1.5;
+  ASSERT_GT(egg.triangles.size(), 2000u);
+  std::ostringstream text;
+  for (const Vec3& v : egg.vertices) text << "v " << v.transpose() << "\n";
+  for (const Eigen::Vector3i& t : egg.triangles) {
+    text << "f " << (t + Eigen::Vector3i::Ones()).transpose() << "\n";
+  }
+  const std::clock_t begin = std::clock();
+  const MeshShape loaded = object(text.str());
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 10.0);
+  EXPECT_EQ(loaded.parts.size(), 1u);
+  EXPECT_LT(loaded.parts_error, 0.003) << "of an egg 30 cm long";
+}
+
 // A hollow ball with an opening: 9,000 triangles, made coarser before they are cut.
 TEST_F(ConvexParts, ofAFineBowlAreNearItAndQuick) {
   MeshShape bowl = tessellate({SphereShape{0.1}, Pose::Identity()});

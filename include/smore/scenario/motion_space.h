@@ -22,7 +22,7 @@ struct MotionSpace {
   bool full_turns = true;
 
   /// Whether the origin is in the workspace and, for planar motion, the pose lies in the plane (to
-  /// 1e-6 m and rad).
+  /// 1e-4 m and rad: typed numbers are rounded).
   bool contains(const Pose& T_world_object) const;
 
   /// The pose, in planar motion moved into the plane: an arm is never quite in it.
