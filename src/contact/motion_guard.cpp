@@ -201,11 +201,6 @@ std::optional<JointTrajectoryPoint> MotionGuard::joints(double now) const {
   return state_;
 }
 
-std::optional<JointTrajectoryPoint> MotionGuard::jointsToBrakeFrom(double now) const {
-  constexpr double kOldest = 0.05;  // [s]; about the shortest brake, and the default max_lateness
-  return now - joints_beat_.measured > kOldest ? std::nullopt : joints(now);
-}
-
 void MotionGuard::stop(const std::string& reason) {
   if (fault_.empty()) fault_ = reason;
 }

@@ -22,6 +22,13 @@ bool isMapOf(const std::filesystem::path& directory, const std::filesystem::path
          (of_one_of_several && std::filesystem::equivalent(folder.parent_path(), directory, none));
 }
 
+// Of a link the file that it leads to.
+void removeIfEmpty(const std::string& file) {
+  std::error_code none;
+  const std::filesystem::path whole = std::filesystem::canonical(file, none);
+  if (!none && std::filesystem::file_size(whole, none) == 0) std::filesystem::remove(whole, none);
+}
+
 }  // namespace
 
 std::string problemOfFile(const std::string& file, const std::vector<std::string>& inputs) {
@@ -39,7 +46,7 @@ std::string problemOfFile(const std::string& file, const std::vector<std::string
   if (!std::ofstream(file, std::ios::app)) {
     return file + ": cannot be written; check its directory and its permissions";
   }
-  if (!was_there) std::filesystem::remove(file, none);  // an empty one would pass for a result
+  if (!was_there) removeIfEmpty(file);  // it would pass for a result
   return "";
 }
 

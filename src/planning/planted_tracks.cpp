@@ -22,6 +22,8 @@ void plantTracks(const std::vector<Path>& tracks, const RiskSpace& space,
         parent = kNowhere;
         continue;
       }
+      // The robot has been there, but may not get there from where it is now.
+      if (parent != kNowhere && motions.passesBarred(tree->state(parent), state)) parent = kNowhere;
       if (parent == kNowhere && !begins(pose, state)) continue;
       parent = tree->add(state, parent == kNowhere ? 0 : parent);
     }

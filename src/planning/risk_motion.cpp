@@ -79,7 +79,9 @@ bool RiskMotions::turnsTooFar(const RiskState& from, const RiskState& to) const 
 
 bool RiskMotions::passes(const BarredPlace& barred, const RiskState& from,
                          const RiskState& to) const {
-  const int count = 1 + static_cast<int>(4.0 * distance(from, to) / barred.radius);
+  const double length = distance(from, to);
+  if (distance(barred.place, from) > length + barred.radius) return false;
+  const int count = 1 + static_cast<int>(4.0 * length / barred.radius);
   for (int i = 1; i <= count; ++i) {
     const float fraction = static_cast<float>(i) / static_cast<float>(count);
     if (distance(barred.place, interpolate(from, to, fraction)) < barred.radius) return true;
@@ -87,10 +89,13 @@ bool RiskMotions::passes(const BarredPlace& barred, const RiskState& from,
   return false;
 }
 
-bool RiskMotions::isForbidden(const RiskState& from, const RiskState& to) const {
-  return turnsTooFar(from, to) ||
-         std::any_of(barred_.begin(), barred_.end(),
+bool RiskMotions::passesBarred(const RiskState& from, const RiskState& to) const {
+  return std::any_of(barred_.begin(), barred_.end(),
                      [&](const BarredPlace& barred) { return passes(barred, from, to); });
+}
+
+bool RiskMotions::isForbidden(const RiskState& from, const RiskState& to) const {
+  return turnsTooFar(from, to) || passesBarred(from, to);
 }
 
 MotionCost RiskMotions::cost(const RiskState& from, const RiskState& to) const {

@@ -64,6 +64,7 @@ struct RiskPlanner::Search {
   std::uint64_t seed;  ///< of this search
   CounterRandom random;
   Deadline deadline;
+  bool passes_beside;  ///< what was refused
   std::vector<TreeEdge> edges = {};
 };
 
@@ -119,13 +120,17 @@ Result<Plan> RiskPlanner::planBeside(const std::vector<Pose>& refused, const Pos
       worlds,
       seed,
       CounterRandom(seed),
-      deadline};
+      deadline,
+      !refused.empty()};
   if (!space.isNearWorkspace(search.start)) return Failure{"the start is outside of the workspace"};
   if (!space.contains(search.goal)) return Failure{"the goal is outside of the workspace"};
   std::vector<RiskPath> paths = climb(&search);
   if (paths.empty()) return Failure{"the planner's iterations were used up at every level of risk"};
   if (!space.planar()) searchFurther(search, &paths);
   sortByValue(&paths);
+  if (!refused.empty() && std::isinf(paths.front().value())) {
+    return Failure{"each way passes where the robot could not follow"};
+  }
   Plan plan;
   for (const RiskState& state : paths.front().states()) plan.path.push_back(space.toPose(state));
   plan.path.front() = start;
@@ -200,6 +205,8 @@ std::vector<RiskPath> RiskPlanner::climb(Search* search) const {
   const auto late = [&] { return !paths.empty() && search->deadline.passed(); };
   for (const double rung : kRungs) {
     const int limit = static_cast<int>(rung * kHypotheses);
+    // Not into what touches for sure, in order to pass beside.
+    if (search->passes_beside && limit == kHypotheses) break;
     for (int k = 0; k < parameters_.paths && !late(); ++k) {
       if (!paths.empty()) trees = plant(*search);
       auto states = connect(&trees, limit, search);

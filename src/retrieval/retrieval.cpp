@@ -101,7 +101,7 @@ bool Retrieval::findPlan(Plan* plan) {
       }
     }
     outcome_.planning_s += secondsSince(begin);
-    ++progress_.plans;
+    if (planner_->outage().empty()) ++progress_.plans;
     if (result) {
       *plan = std::move(*result);
       planned_risk_ = plan->risk;
@@ -115,6 +115,7 @@ bool Retrieval::findPlan(Plan* plan) {
     enter(Phase::kResetting);
     if (stopped()) return false;
     const MotionResult reset = robot_->reset(parameters_.start);
+    refused_at_.clear();
     if (reset.end != MotionEnd::kReached) {
       finish(false, "could not reset to the start: " + reset.reason);
       return false;

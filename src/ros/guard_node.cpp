@@ -45,8 +45,7 @@ constexpr double kLastStop = 0.3;
 /// stamps.
 double now() { return ros::SteadyTime::now().toSec(); }
 
-/// When what bears a stamp was new, by that clock [s]. ros::Duration holds no stamp of the far
-/// future.
+/// When what bears a stamp was new, by that clock [s]. A ros::Duration holds no far future.
 double measuredAt(const ros::Time& stamp) {
   return now() - std::max(0.0, ros::Time::now().toSec() - stamp.toSec());
 }

@@ -16,6 +16,10 @@ geometry_msgs::PoseStamped stamped(const Pose& pose, const std::string& frame) {
   return message;
 }
 
+// A node that is started again needs seconds: who asks again and again waits so long in between.
+const ros::WallDuration kLookPeriod(0.1);
+constexpr int kLooks = 10;
+
 Failure noAnswer(const std::string& service) {
   return Failure{"the service '" + service + "' does not answer; is the planner node up?"};
 }
@@ -48,12 +52,19 @@ Result<Plan> RemotePlanner::ask(const Pose& start, const Pose& goal, bool relaxe
   for (const Pose& pose : refused_) call.request.refused.push_back(toMessage(pose));
   const auto given_up = [this] { return robot_->stopRequested(); };
   outage_ = noAnswer(client_.getService()).reason;
-  if (!callInterruptibly(client_, &call, given_up)) return Failure{outage_};
+  if (!callInterruptibly(client_, &call, given_up)) {
+    waitOutOutage();
+    return Failure{outage_};
+  }
   outage_ = call.response.searched != 0 ? "" : call.response.message;
   if (call.response.success == 0) return Failure{call.response.message};
   const Result<Path> path = fromMessage(call.response.path);
   if (!path) return Failure{path.reason()};
   return Plan{*path, call.response.risk};
+}
+
+void RemotePlanner::waitOutOutage() const {
+  for (int i = 0; i < kLooks && ros::ok() && !robot_->stopRequested(); ++i) kLookPeriod.sleep();
 }
 
 RemoteTouchPlanner::RemoteTouchPlanner(const std::string& world_frame, const RosRobot* robot)

@@ -69,7 +69,7 @@ TEST_P(RiskPlannerIn, PassesBesideWhereTheRobotCannotBe) {
   JointBelief belief = emptyBelief(GetParam());
   block(0.3, &belief);
   RiskPlanner planner(belief, spaceOf(GetParam()), {}, 1);
-  std::vector<Pose> refused;
+  std::vector<Pose> refused{makePose({-0.2, 0, 0})};  // on a way that the object has come
   for (int i = 0; i < 5; ++i) {
     planner.avoid(refused);
     const auto plan = planner.plan(kStart, kGoal);
@@ -80,7 +80,7 @@ TEST_P(RiskPlannerIn, PassesBesideWhereTheRobotCannotBe) {
   }
 }
 
-// Where no way leads past it, as around all of the start, it is as if nothing had been said.
+// What is refused where it stands bars nothing.
 TEST_P(RiskPlannerIn, FindsAPathThoughTheRobotCannotSetOut) {
   const JointBelief belief = emptyBelief(GetParam());
   RiskPlanner planner(belief, spaceOf(GetParam()), {}, 1);

@@ -97,7 +97,7 @@ class RetrievalNode(unittest.TestCase):
         cls.requests.append(request)
         cls.may_answer.wait()
         if cls.refusal:
-            return PlanPathResponse(success=False, message=cls.refusal)
+            return PlanPathResponse(success=False, searched=True, message=cls.refusal)
         path = Path()
         path.poses = [request.start, request.goal]
         return PlanPathResponse(success=True, path=path, risk=0.25)

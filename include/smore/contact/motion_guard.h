@@ -113,7 +113,10 @@ class MotionGuard {
   std::optional<JointTrajectoryPoint> joints(double now) const;
   /// The same as long as it is no older than 0.05 s, too: a brake leads back to where the joints
   /// were, in no more time than it takes, and would throw an arm that has gone on for longer.
-  std::optional<JointTrajectoryPoint> jointsToBrakeFrom(double now) const;
+  std::optional<JointTrajectoryPoint> jointsToBrakeFrom(double now) const {
+    constexpr double kOldest = 0.05;  // about the shortest brake, and the default max_lateness
+    return now - joints_beat_.measured > kOldest ? std::nullopt : joints(now);
+  }
 
   /// Latches a fault of the caller's own, such as a user's stop.
   void stop(const std::string& reason);

@@ -59,6 +59,9 @@ class RiskMotions {
   /// From now on no motion may pass there. Its radius positive.
   void bar(const BarredPlace& barred) { barred_.push_back(barred); }
 
+  /// Whether a motion passes a barred place.
+  bool passesBarred(const RiskState& from, const RiskState& to) const;
+
   /// Cost of a motion; its first pose is not looked at. A forbidden one has an infinite length: one
   /// that turns too far, or passes a barred place.
   MotionCost cost(const RiskState& from, const RiskState& to) const;

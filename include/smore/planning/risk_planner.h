@@ -46,7 +46,8 @@ struct RiskPlannerParameters {
 /// best objective over the joint samples (docs/planning.md (P3)). There is always a path unless
 /// start or goal lie outside of the workspace: at the last rung everything is allowed. Places to
 /// avoid are passed at a step of the trees, or at half of their distance from start and goal, where
-/// the search finds such a way.
+/// the search finds such a way that does not touch in all worlds; looking for one may take as long
+/// as the search without.
 ///
 /// The same seed and the same calls give the same paths, unless the time limit ends a search.
 class RiskPlanner : public Planner {
