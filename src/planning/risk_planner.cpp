@@ -83,7 +83,7 @@ RiskPlanner::RiskPlanner(const JointBelief& belief, const MotionSpace& space,
 
 Result<Plan> RiskPlanner::plan(const Pose& start, const Pose& goal) {
   if (!refused_.empty()) {
-    const Result<Plan> beside = planBeside(refused_, start, goal);
+    Result<Plan> beside = planBeside(refused_, start, goal);
     if (beside) return beside;
   }
   return planBeside({}, start, goal);
