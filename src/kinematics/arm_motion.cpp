@@ -165,12 +165,13 @@ double ArmMotion::margin(const JointVector& q) const {
   return centered * inverse_kinematics_.singularity(q);
 }
 
-Result<bool> ArmMotion::checkConfiguration(const JointVector& q, const JointVector* start) const {
+Result<bool> ArmMotion::checkLimits(const JointVector& q, double margin,
+                                    const JointVector* start) const {
   for (int i = 0; i < kArmJoints; ++i) {
     const auto joint = static_cast<size_t>(i);
     const JointLimits& limits = arm_.limits()[joint];
-    double least = limits.min + parameters_.limit_margin;
-    double most = limits.max - parameters_.limit_margin;
+    double least = limits.min + margin;
+    double most = limits.max - margin;
     if (start != nullptr) {  // an arm that stands nearer to a limit may move away from it
       least = std::max(limits.min, std::min(least, (*start)[i] - kEncoderNoise));
       most = std::min(limits.max, std::max(most, (*start)[i] + kEncoderNoise));
@@ -178,9 +179,15 @@ Result<bool> ArmMotion::checkConfiguration(const JointVector& q, const JointVect
     if (q[i] < least || q[i] > most) {
       return Failure{arm_.jointNames()[joint] + " would pass its limit (" + std::to_string(q[i]) +
                      " rad; " + std::to_string(limits.min) + " to " + std::to_string(limits.max) +
-                     ", from which " + std::to_string(parameters_.limit_margin) + " are kept)"};
+                     ", from which " + std::to_string(margin) + " are kept)"};
     }
   }
+  return true;
+}
+
+Result<bool> ArmMotion::checkConfiguration(const JointVector& q, const JointVector* start) const {
+  const Result<bool> within = checkLimits(q, parameters_.limit_margin, start);
+  if (!within) return Failure{within.reason()};
   if (const double least = inverse_kinematics_.singularity(q); least < least_singular_value_) {
     return Failure{"the arm is near a singularity there (its Jacobian's least singular value is " +
                    std::to_string(least) + ", below " + std::to_string(least_singular_value_) +
@@ -188,19 +195,6 @@ Result<bool> ArmMotion::checkConfiguration(const JointVector& q, const JointVect
   }
   if (const auto links = collision_.collidingLinks(q)) {
     return Failure{"the links " + links->first + " and " + links->second + " would collide"};
-  }
-  return true;
-}
-
-Result<bool> ArmMotion::checkLimits(const JointVector& q) const {
-  for (int i = 0; i < kArmJoints; ++i) {
-    const auto joint = static_cast<size_t>(i);
-    const JointLimits& limits = arm_.limits()[joint];
-    if (q[i] < limits.min || q[i] > limits.max) {
-      return Failure{arm_.jointNames()[joint] + " would pass its limit (" + std::to_string(q[i]) +
-                     " rad; " + std::to_string(limits.min) + " to " + std::to_string(limits.max) +
-                     ")"};
-    }
   }
   return true;
 }
@@ -225,7 +219,7 @@ Result<std::vector<JointVector>> ArmMotion::resolve(const JointVector& now, cons
     for (const Pose& pose : densify({from, path[i]}, kResolution, kAngularResolution)) {
       const auto q = next(configurations.back(), pose);
       const Result<bool> valid = !q                  ? Failure{q.reason()}
-                                 : way == Way::kBack ? checkLimits(*q)
+                                 : way == Way::kBack ? checkLimits(*q, 0.0, nullptr)
                                                      : checkConfiguration(*q, &now);
       if (!valid) {
         if (refused_at != nullptr) *refused_at = pose;

@@ -64,7 +64,6 @@ struct RiskPlanner::Search {
   std::uint64_t seed;  ///< of this search
   CounterRandom random;
   Deadline deadline;
-  bool passes_beside;  ///< what was refused
   std::vector<TreeEdge> edges = {};
 };
 
@@ -120,15 +119,14 @@ Result<Plan> RiskPlanner::planBeside(const std::vector<Pose>& refused, const Pos
       worlds,
       seed,
       CounterRandom(seed),
-      deadline,
-      !refused.empty()};
+      deadline};
   if (!space.isNearWorkspace(search.start)) return Failure{"the start is outside of the workspace"};
   if (!space.contains(search.goal)) return Failure{"the goal is outside of the workspace"};
   std::vector<RiskPath> paths = climb(&search);
   if (paths.empty()) return Failure{"the planner's iterations were used up at every level of risk"};
   if (!space.planar()) searchFurther(search, &paths);
   sortByValue(&paths);
-  if (!refused.empty() && std::isinf(paths.front().value())) {
+  if (motions.barsPlaces() && std::isinf(paths.front().value())) {
     return Failure{"each way passes where the robot could not follow"};
   }
   Plan plan;
@@ -206,7 +204,7 @@ std::vector<RiskPath> RiskPlanner::climb(Search* search) const {
   for (const double rung : kRungs) {
     const int limit = static_cast<int>(rung * kHypotheses);
     // Not into what touches for sure, in order to pass beside.
-    if (search->passes_beside && limit == kHypotheses) break;
+    if (search->motions.barsPlaces() && limit == kHypotheses) break;
     for (int k = 0; k < parameters_.paths && !late(); ++k) {
       if (!paths.empty()) trees = plant(*search);
       auto states = connect(&trees, limit, search);

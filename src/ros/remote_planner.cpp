@@ -16,9 +16,8 @@ geometry_msgs::PoseStamped stamped(const Pose& pose, const std::string& frame) {
   return message;
 }
 
-// A node that is started again needs seconds: who asks again and again waits so long in between.
-const ros::WallDuration kLookPeriod(0.1);
-constexpr int kLooks = 10;
+// A node that is started again needs seconds: who asks again and again waits so long for it [s].
+constexpr double kRestart = 1.0;
 
 Failure noAnswer(const std::string& service) {
   return Failure{"the service '" + service + "' does not answer; is the planner node up?"};
@@ -53,7 +52,7 @@ Result<Plan> RemotePlanner::ask(const Pose& start, const Pose& goal, bool relaxe
   const auto given_up = [this] { return robot_->stopRequested(); };
   outage_ = noAnswer(client_.getService()).reason;
   if (!callInterruptibly(client_, &call, given_up)) {
-    waitOutOutage();
+    (void)waitUntilReady(kRestart);
     return Failure{outage_};
   }
   outage_ = call.response.searched != 0 ? "" : call.response.message;
@@ -61,10 +60,6 @@ Result<Plan> RemotePlanner::ask(const Pose& start, const Pose& goal, bool relaxe
   const Result<Path> path = fromMessage(call.response.path);
   if (!path) return Failure{path.reason()};
   return Plan{*path, call.response.risk};
-}
-
-void RemotePlanner::waitOutOutage() const {
-  for (int i = 0; i < kLooks && ros::ok() && !robot_->stopRequested(); ++i) kLookPeriod.sleep();
 }
 
 RemoteTouchPlanner::RemoteTouchPlanner(const std::string& world_frame, const RosRobot* robot)

@@ -21,7 +21,8 @@ RetrievalNodeParameters readRetrievalParameters(ParameterReader* reader) {
   reader->integer("max_collisions", &parameters.max_collisions, 1, 1000000);
   reader->number("retreat_distance", &parameters.retreat_distance, {1e-3, 10.0});
   reader->boolean("identify_payload", &parameters.identify_payload);
-  reader->number("payload_tilt", &parameters.payload_tilt, {0.35, 1.0});
+  constexpr double kLeastTilt = 0.35;  // identifyPayload finds nothing below 0.32 [rad]
+  reader->number("payload_tilt", &parameters.payload_tilt, {kLeastTilt, 1.0});
   reader->boolean("auto_start", &parameters.auto_start);
   if (reader->has("output")) reader->text("output", &parameters.output);
   if (!parameters.output.empty() && !std::filesystem::path(parameters.output).is_absolute()) {

@@ -82,7 +82,7 @@ class RetrievalNode(unittest.TestCase):
         start_node("retrieval_node_test")
         cls.client = actionlib.SimpleActionClient("retrieve", RetrieveAction)
         assert cls.client.wait_for_server(DEADLINE)
-        cls.refusal = ""
+        cls.refusal, cls.searched = "", True
         cls.may_answer = threading.Event()
         cls.may_answer.set()
         cls.requests = []
@@ -97,13 +97,13 @@ class RetrievalNode(unittest.TestCase):
         cls.requests.append(request)
         cls.may_answer.wait()
         if cls.refusal:
-            return PlanPathResponse(success=False, searched=True, message=cls.refusal)
+            return PlanPathResponse(success=False, searched=cls.searched, message=cls.refusal)
         path = Path()
         path.poses = [request.start, request.goal]
         return PlanPathResponse(success=True, path=path, risk=0.25)
 
     def setUp(self):
-        type(self).refusal = ""
+        type(self).refusal, type(self).searched = "", True
         self.may_answer.set()
         self.requests.clear()
         self.commands = Recorder("command", JointTrajectory)
@@ -162,15 +162,23 @@ class RetrievalNode(unittest.TestCase):
 
     def test_where_no_plan_is_found_an_arm_that_was_led_away_does_not_go_back_to_its_old_way(self):
         with FakeArm() as arm:
-            self.assertTrue(self.retrieve().success)
+            self.cancel_on_the_way(arm)
             arm.target = None
             arm.x = 0.1
             type(self).refusal = "the start is outside of the workspace"
-            self.commands.clear()
-            result = self.retrieve()
-        self.assertFalse(result.success)
-        self.assertIn(self.refusal, result.message)
-        self.assertTrue(self.never_moved(), result.message)
+            self.assert_stays_without_a_plan()
+
+    def test_where_the_planner_cannot_be_asked_an_arm_stays_on_its_way(self):
+        with FakeArm() as arm:
+            self.cancel_on_the_way(arm)
+            type(self).refusal, type(self).searched = "the mapping does not answer", False
+            self.assert_stays_without_a_plan()
+
+    def test_from_a_goal_that_was_reached_no_way_leads_back(self):
+        with FakeArm():
+            self.assertTrue(self.retrieve().success)
+            type(self).refusal = "walled in"
+            self.assert_stays_without_a_plan(RetrieveGoal(goal=stamped(pose(0.0))))
 
     def test_an_object_beside_the_plane_of_motion_is_not_moved(self):
         with FakeArm() as arm:
@@ -280,6 +288,18 @@ class RetrievalNode(unittest.TestCase):
         self.assertLess(time.monotonic() - begin, seconds)
         self.assertEqual(self.client.get_state(), GoalStatus.PREEMPTED)
         self.assertIn("stopped by the user", self.client.get_result().message)
+
+    def cancel_on_the_way(self, arm):
+        self.client.send_goal(RetrieveGoal())
+        self.assertTrue(wait_until(lambda: arm.x < -0.05))
+        self.cancelled_within(0.4)
+
+    def assert_stays_without_a_plan(self, goal=None):
+        self.commands.clear()
+        result = self.retrieve(goal)
+        self.assertFalse(result.success)
+        self.assertIn(self.refusal, result.message)
+        self.assertTrue(self.never_moved(), result.message)
 
     def never_moved(self):
         return not [message for message in self.commands.messages() if message.points]

@@ -126,19 +126,21 @@ TEST_F(ConvexParts, ofAFineThreadAreRefusedWithARemedy) {
   }
 }
 
+std::string objOf(const MeshShape& mesh) {
+  std::ostringstream text;
+  for (const Vec3& v : mesh.vertices) text << "v " << v.transpose() << "\n";
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    text << "f " << (t + Eigen::Vector3i::Ones()).transpose() << "\n";
+  }
+  return text.str();
+}
+
 // Too fine for a hull, and as it is round without flat faces that could be joined.
-TEST_F(ConvexParts, ofAFineEggAreOneAndQuick) {
+TEST_F(ConvexParts, ofAFineEggAreOne) {
   MeshShape egg = tessellate({SphereShape{0.1}, Pose::Identity()});
   for (Vec3& vertex : egg.vertices) vertex.z() *= 1.5;
   ASSERT_GT(egg.triangles.size(), 2000u);
-  std::ostringstream text;
-  for (const Vec3& v : egg.vertices) text << "v " << v.transpose() << "\n";
-  for (const Eigen::Vector3i& t : egg.triangles) {
-    text << "f " << (t + Eigen::Vector3i::Ones()).transpose() << "\n";
-  }
-  const std::clock_t begin = std::clock();
-  const MeshShape loaded = object(text.str());
-  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 10.0);
+  const MeshShape loaded = object(objOf(egg));
   EXPECT_EQ(loaded.parts.size(), 1u);
   EXPECT_LT(loaded.parts_error, 0.003) << "of an egg 30 cm long";
 }
@@ -149,13 +151,8 @@ TEST_F(ConvexParts, ofAFineBowlAreNearItAndQuick) {
   for (Vec3& vertex : bowl.vertices) {
     if (vertex.z() > 1e-9) vertex.z() *= -0.8;
   }
-  std::ostringstream text;
-  for (const Vec3& v : bowl.vertices) text << "v " << v.transpose() << "\n";
-  for (const Eigen::Vector3i& t : bowl.triangles) {
-    text << "f " << (t + Eigen::Vector3i::Ones()).transpose() << "\n";
-  }
   const std::clock_t begin = std::clock();
-  const MeshShape loaded = object(text.str());
+  const MeshShape loaded = object(objOf(bowl));
   EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 10.0);
   EXPECT_GT(loaded.parts.size(), 5u);
   EXPECT_GT(loaded.parts_error, 0.0);

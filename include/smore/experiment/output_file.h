@@ -7,7 +7,7 @@
 namespace smore {
 
 /// What is wrong with a file that will be written, for the user; empty if nothing is. Its
-/// directory is made where it is missing. What it holds stays. Recorded evidence and the
+/// directory is made where it is missing. What the file holds stays. Recorded evidence and the
 /// files in `inputs` (names of none, too) are not written over. Asked before hours of work, not
 /// after.
 std::string problemOfFile(const std::string& file, const std::vector<std::string>& inputs = {});

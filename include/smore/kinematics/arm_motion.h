@@ -75,8 +75,8 @@ class ArmMotion {
   /// By the branch of `now`, without asking whether the arm may be there.
   Result<JointVector> next(const JointVector& now, const Pose& T_world_object) const;
   /// `start`: where the motion began; null for a configuration that none leads to.
+  Result<bool> checkLimits(const JointVector& q, double margin, const JointVector* start) const;
   Result<bool> checkConfiguration(const JointVector& q, const JointVector* start = nullptr) const;
-  Result<bool> checkLimits(const JointVector& q) const;
   Result<std::vector<JointVector>> resolve(const JointVector& now, const Path& path, Way way,
                                            Pose* refused_at = nullptr) const;
   JointVector nearestTurns(const JointVector& q) const;

@@ -59,6 +59,7 @@ class RiskMotions {
   /// From now on no motion may pass there. Its radius positive.
   void bar(const BarredPlace& barred) { barred_.push_back(barred); }
 
+  bool barsPlaces() const { return !barred_.empty(); }
   /// Whether a motion passes a barred place.
   bool passesBarred(const RiskState& from, const RiskState& to) const;
 

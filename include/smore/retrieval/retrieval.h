@@ -88,7 +88,8 @@ class Retrieval {
   /// Whether the user asked for the end, which is now.
   bool stopped();
   void enter(Phase phase);
-  /// A path from where the robot is; resets to the start where there is none from elsewhere.
+  /// A path from where the robot is; resets to the start where there is none from elsewhere, but
+  /// stays where the planner cannot be asked.
   bool findPlan(Plan* plan);
   /// True if the retrieval is over.
   bool execute(const Plan& plan);

@@ -27,7 +27,6 @@ class RemotePlanner : public Planner {
 
  private:
   Result<Plan> ask(const Pose& start, const Pose& goal, bool relaxed);
-  void waitOutOutage() const;
 
   std::string world_frame_;
   std::string outage_;
